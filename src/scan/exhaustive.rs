@@ -12,15 +12,15 @@ use super::options::{Exhaustive, Progress, ScanError};
 use super::prepare::Prepared;
 use crate::hazard::{Finding, Groups};
 use crate::host::audit::{Audit, Difference, Scope, audit};
-use crate::host::{Effort, Hosted, PlantError};
+use crate::host::{Effort, Hosted, PlantError, Recall};
 use crate::human::Action;
 use crate::obligations::{Need, Point};
 use crate::report::certificate::{Certificate, RandomSearch, RunAgain};
 use crate::report::hazard::Hazard;
 use crate::report::model::FaultRecord;
-use crate::search::exhaustive::{Account, Before, Budget, ExpandedBy, Expansion, Prefixes, Stopped, Told, exhaust};
+use crate::search::exhaustive::{Account, Budget, Expansion as _, Prefixes, Stopped, Told, exhaust_watched};
 use crate::search::statistics::Independent;
-use crate::sim::expansion::{Expander, State};
+use crate::sim::expansion::Expander;
 use crate::sim::journal::Journal;
 use crate::sim::motion::Motion;
 use crate::sim::{Coverage, World};
@@ -62,111 +62,34 @@ const FIRST_LOOK: usize = 64;
 /// Runs of such a look.
 const LOOK: usize = 24;
 
-/// Why a search ended early.
-enum Ended {
-    /// The FMU failed.
-    Failed(PlantError),
-    /// What it gave is not what it gives in a run from the start.
-    Unlike(Difference),
-}
-
-impl From<PlantError> for Ended {
-    fn from(error: PlantError) -> Self {
-        Self::Failed(error)
-    }
-}
-
-/// A search that is looked at now and then.
-struct Watched<'a> {
-    expander: Expander<Hosted>,
+/// Looks at a search now and then.
+struct Looks<'a> {
     plain: &'a mut Hosted,
     footing: Footing,
     /// States met at the last look, and at which the next one is due.
     looked: usize,
     due: usize,
+    /// What the FMU gave that is not what it gives in a run from the start: it ended the search.
+    unlike: Option<Difference>,
 }
 
-impl Watched<'_> {
-    /// Runs some of the transitions that are new plainly; `false` if told to stop.
-    fn look(&mut self, go_on: &mut dyn FnMut() -> bool) -> Result<bool, Ended> {
-        let states = self.expander.recall().states();
+impl Looks<'_> {
+    /// Runs some of the transitions that are new plainly; `false` if told to stop, or where they are unlike.
+    fn look(&mut self, recall: &Recall<Hosted>, go_on: &mut dyn FnMut() -> bool) -> Result<bool, PlantError> {
+        let states = recall.states();
         if states < self.due {
             return Ok(true);
         }
         let scope = Scope { since: self.looked, runs: LOOK, steps: u64::MAX, instance: self.footing.instance() };
         (self.looked, self.due) = (states, states * 2);
-        let found = audit(self.plain, self.expander.recall(), scope, &mut |_, _| go_on())?;
-        match found.difference {
-            Some(difference) => Err(Ended::Unlike(difference)),
-            None => Ok(!found.stopped),
-        }
-    }
-}
-
-impl Expansion for Watched<'_> {
-    type State = State;
-    type Unsafe = Finding;
-    type Error = Ended;
-
-    fn actions(&self) -> usize {
-        self.expander.actions()
-    }
-
-    fn horizon(&self) -> usize {
-        self.expander.horizon()
-    }
-
-    fn effort(&self, action: usize) -> u32 {
-        self.expander.effort(action)
-    }
-
-    fn start(&mut self) -> Result<State, Ended> {
-        Ok(self.expander.start()?)
-    }
-
-    fn may_matter(&self, state: &State, remaining: usize) -> bool {
-        self.expander.may_matter(state, remaining)
-    }
-
-    fn expand(
-        &mut self,
-        depth: usize,
-        states: &[(&State, Before)],
-        go_on: &mut dyn FnMut() -> bool,
-    ) -> Result<Option<ExpandedBy<Self>>, Ended> {
-        let looked = match self.look(go_on) {
-            Ok(true) => Ok(true),
-            Ok(false) => return Ok(None),
+        match audit(self.plain, recall, scope, &mut |_, _| go_on()) {
+            Ok(found) => {
+                self.unlike = found.difference;
+                Ok(self.unlike.is_none() && !found.stopped)
+            }
+            Err(error) if error.stopped => Ok(false),
             Err(error) => Err(error),
-        };
-        match looked.and_then(|_| Ok(self.expander.expand(depth, states, go_on)?)) {
-            Err(Ended::Failed(error)) if error.stopped => Ok(None),
-            expanded => expanded,
         }
-    }
-
-    fn release_before(&mut self, depth: usize) {
-        self.expander.release_before(depth);
-    }
-
-    fn together(&self) -> usize {
-        self.expander.together()
-    }
-
-    fn work(&self) -> u64 {
-        self.expander.work()
-    }
-
-    fn cost(&self) -> u64 {
-        self.expander.cost()
-    }
-
-    fn bytes(&self) -> usize {
-        self.expander.bytes()
-    }
-
-    fn state_bytes(&self) -> usize {
-        self.expander.state_bytes()
     }
 }
 
@@ -203,12 +126,13 @@ pub(super) fn census(
     let world = World::new(Arc::clone(&cell), Arc::clone(&binding));
     let people = prepared.cell.names();
     let (plant, policy) = (footing.plant(prepared), footing.policy(prepared));
-    let expander = Expander::new(cell, binding, plant, policy, footing.merge, options.workers)
+    let mut expander = Expander::new(cell, binding, plant, policy, footing.merge, options.workers)
         .map_err(|cause| ScanError { cause })?
         .with_journal(journal);
-    let mut watched = Watched { expander, plain, footing, looked: 0, due: FIRST_LOOK };
+    let mut looks = Looks { plain, footing, looked: 0, due: FIRST_LOOK, unlike: None };
     let mut faults = Vec::new();
-    let outcome = exhaust(&mut watched, options.budget, &mut |told| match told {
+    let mut look = |expander: &Expander<Hosted>, go_on: &mut dyn FnMut() -> bool| looks.look(expander.recall(), go_on);
+    let outcome = exhaust_watched(&mut expander, options.budget, &mut look, &mut |told| match told {
         Told::Met(met) => {
             let finding = after(&world, met.prefixes, met.unsafe_state);
             let Some(id) = groups.add_counted(finding, Some(met.sequences), 0, links) else {
@@ -241,18 +165,18 @@ pub(super) fn census(
             tell(Progress::Level { depth, done, of, hazards: groups.len(), cost })
         }
     });
-    let Watched { expander, plain, .. } = watched;
+    let Looks { plain, unlike, .. } = looks;
     faults.extend(expander.arm_run_unfinished().map(|message| FaultRecord { message, actions: Vec::new() }));
     let (mut broken, mut doubt, mut again) = (None, None, Audit::default());
-    let account = match outcome {
-        Ok(account) => Some(account),
-        Err(Ended::Failed(error)) => {
-            doubt = Doubt::of_search(&error);
-            broken = Some(error);
+    let account = match (outcome, unlike) {
+        (_, Some(difference)) => {
+            doubt = Some(Doubt::of_audit(difference));
             None
         }
-        Err(Ended::Unlike(difference)) => {
-            doubt = Some(Doubt::of_audit(difference));
+        (Ok(account), None) => Some(account),
+        (Err(error), None) => {
+            doubt = Doubt::of_search(&error);
+            broken = Some(error);
             None
         }
     };

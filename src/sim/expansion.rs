@@ -286,6 +286,65 @@ impl<P: Plant> Expander<P> {
         Ok(*self.bundles.entry((sinces, bundle)).or_insert(node))
     }
 
+    /// All actions from each of these states, as [`Expansion::expand`] says.
+    fn all_from(
+        &mut self,
+        depth: usize,
+        states: &[(&State, Before)],
+        go_on: &mut dyn FnMut() -> bool,
+    ) -> Result<Option<Vec<Expanded<State, Finding>>>, PlantError> {
+        let (states, befores): (Vec<&State>, Vec<Before>) = states.iter().copied().unzip();
+        let Some(outlook) = self.look_ahead(&states, go_on) else { return Ok(None) };
+        let mut joined = Joined::default();
+        let (mut pending, mut expanded, mut transitions) = (Vec::new(), Vec::new(), Vec::new());
+        for (index, state) in states.iter().enumerate() {
+            if !go_on() {
+                return Ok(None);
+            }
+            let (state, before) = (*state, befores[index]);
+            let (one, own) = self.advance((index, depth), (state, before), &outlook, &mut pending, &mut joined)?;
+            expanded.push(one);
+            transitions.push(own);
+        }
+        let ahead = |p: &Pending| outlook.of(p.who, &states[p.state].places);
+        let nowhere = WalkTrace { start: self.world.first.start(), places: Vec::new(), blocked: Vec::new() };
+        let walked = |p: &Pending| match &transitions[p.state][p.transition].amid {
+            Some(walks) => walks.of(p.who).unwrap_or(&nowhere),
+            None => ahead(p).map_or(&nowhere, |ahead| &ahead.ways[p.way].walked),
+        };
+        let (mut met, goes_on) = (Met::of(&joined), self.world.goes_on());
+        let mut situations = Situations::default();
+        for i in 0..self.world.cell.steps_per_action {
+            let asked = self.asked(i, &pending, &transitions, &walked, &mut situations)?;
+            let (questions, places) = self.to_ask((depth, i), asked, &pending, &transitions, &walked);
+            let Some(answers) = self.answer(&questions, &situations.all, go_on) else { return Ok(None) };
+            let mut places = places.iter();
+            pending.retain_mut(|p| {
+                let Some(&(q, s)) = places.next().and_then(Option::as_ref) else { return true };
+                let Some(hit) = &answers[q][s] else { return true };
+                let transition = &transitions[p.state][p.transition];
+                let stance = &questions[q].0;
+                let finding = |hit| {
+                    let sensors = self.world.readings(&transition.sensed.readings[i], &transition.frames[i]);
+                    self.world.of_stance(stance).finding(hit, stance, sensors, (depth + 1, i))
+                };
+                let Some(found) = finding(hit) else { return true };
+                let clamping = hit.clamps.as_deref().and_then(finding);
+                let ends = !p.struck && found.class.ends();
+                if joined.is_used() {
+                    let course = met.course(p.index);
+                    if p.struck { course.is_clamped(found) } else { course.meets(found, clamping) }
+                } else {
+                    alone((&mut expanded[p.state], befores[p.state]), p, (found, clamping), goes_on);
+                }
+                p.struck |= ends;
+                !ends || goes_on
+            });
+        }
+        joined.settle(&met, &befores, goes_on, &mut expanded);
+        Ok(Some(expanded))
+    }
+
     /// The part that needs the FMU: successors, transitions, and what is to be looked for contacts.
     fn advance(
         &mut self,
@@ -550,56 +609,10 @@ impl<P: Plant> Expansion for Expander<P> {
         states: &[(&State, Before)],
         go_on: &mut dyn FnMut() -> bool,
     ) -> Result<Option<Vec<Expanded<State, Finding>>>, PlantError> {
-        let (states, befores): (Vec<&State>, Vec<Before>) = states.iter().copied().unzip();
-        let Some(outlook) = self.look_ahead(&states, go_on) else { return Ok(None) };
-        let mut joined = Joined::default();
-        let (mut pending, mut expanded, mut transitions) = (Vec::new(), Vec::new(), Vec::new());
-        for (index, state) in states.iter().enumerate() {
-            if !go_on() {
-                return Ok(None);
-            }
-            let (state, before) = (*state, befores[index]);
-            let (one, own) = self.advance((index, depth), (state, before), &outlook, &mut pending, &mut joined)?;
-            expanded.push(one);
-            transitions.push(own);
+        match self.all_from(depth, states, go_on) {
+            Err(error) if error.stopped => Ok(None),
+            expanded => expanded,
         }
-        let ahead = |p: &Pending| outlook.of(p.who, &states[p.state].places);
-        let nowhere = WalkTrace { start: self.world.first.start(), places: Vec::new(), blocked: Vec::new() };
-        let walked = |p: &Pending| match &transitions[p.state][p.transition].amid {
-            Some(walks) => walks.of(p.who).unwrap_or(&nowhere),
-            None => ahead(p).map_or(&nowhere, |ahead| &ahead.ways[p.way].walked),
-        };
-        let (mut met, goes_on) = (Met::of(&joined), self.world.goes_on());
-        let mut situations = Situations::default();
-        for i in 0..self.world.cell.steps_per_action {
-            let asked = self.asked(i, &pending, &transitions, &walked, &mut situations)?;
-            let (questions, places) = self.to_ask((depth, i), asked, &pending, &transitions, &walked);
-            let Some(answers) = self.answer(&questions, &situations.all, go_on) else { return Ok(None) };
-            let mut places = places.iter();
-            pending.retain_mut(|p| {
-                let Some(&(q, s)) = places.next().and_then(Option::as_ref) else { return true };
-                let Some(hit) = &answers[q][s] else { return true };
-                let transition = &transitions[p.state][p.transition];
-                let stance = &questions[q].0;
-                let finding = |hit| {
-                    let sensors = self.world.readings(&transition.sensed.readings[i], &transition.frames[i]);
-                    self.world.of_stance(stance).finding(hit, stance, sensors, (depth + 1, i))
-                };
-                let Some(found) = finding(hit) else { return true };
-                let clamping = hit.clamps.as_deref().and_then(finding);
-                let ends = !p.struck && found.class.ends();
-                if joined.is_used() {
-                    let course = met.course(p.index);
-                    if p.struck { course.is_clamped(found) } else { course.meets(found, clamping) }
-                } else {
-                    alone((&mut expanded[p.state], befores[p.state]), p, (found, clamping), goes_on);
-                }
-                p.struck |= ends;
-                !ends || goes_on
-            });
-        }
-        joined.settle(&met, &befores, goes_on, &mut expanded);
-        Ok(Some(expanded))
     }
 
     fn release_before(&mut self, depth: usize) {

@@ -334,6 +334,9 @@ pub struct Budget {
 /// Bytes that a state takes besides itself, about: its prefixes and its place in the map.
 const STATE_BYTES: usize = 120;
 
+/// Looks at an environment under way, asking now and then whether to go on: whether the search goes on.
+pub type Look<'a, E> = dyn FnMut(&E, &mut dyn FnMut() -> bool) -> Result<bool, <E as Expansion>::Error> + 'a;
+
 /// Searches all sequences; `tell` hears what is found and may end the search.
 ///
 /// # Errors
@@ -343,13 +346,26 @@ pub fn exhaust<E: Expansion>(
     budget: Budget,
     tell: &mut dyn FnMut(Told<'_, E::Unsafe>) -> ControlFlow<()>,
 ) -> Result<Account, E::Error> {
+    exhaust_watched(environment, budget, &mut |_, _| Ok(true), tell)
+}
+
+/// The same; `look` sees the environment each time before states are expanded, and may end the search too.
+///
+/// # Errors
+/// The same, and what `look` reports.
+pub fn exhaust_watched<E: Expansion>(
+    environment: &mut E,
+    budget: Budget,
+    look: &mut Look<'_, E>,
+    tell: &mut dyn FnMut(Told<'_, E::Unsafe>) -> ControlFlow<()>,
+) -> Result<Account, E::Error> {
     let horizon = environment.horizon();
     let start = environment.start()?;
     let first = Prefixes { count: BigUint::from(1_u32), effort: 0, calmest: Vec::new() };
     let account = Account::of(power(environment.actions(), horizon));
     let (mut level, mut behind) = (BTreeMap::from([(start, first)]), BTreeMap::new());
     let (next, behind_next) = (BTreeMap::new(), BTreeMap::new());
-    let mut search = Search { environment, budget, tell, account, next, behind: behind_next, open: 0 };
+    let mut search = Search { environment, budget, look, tell, account, next, behind: behind_next, open: 0 };
     for depth in 0..horizon {
         let (open, other) = search.sorted(level, behind, horizon - depth);
         search.open = open.len() + other.len();
@@ -381,6 +397,7 @@ type Sorted<S> = (Vec<Open<S>>, Vec<(S, Prefixes)>);
 struct Search<'a, 'b, E: Expansion> {
     environment: &'a mut E,
     budget: Budget,
+    look: &'a mut Look<'b, E>,
     tell: &'a mut (dyn FnMut(Told<'_, E::Unsafe>) -> ControlFlow<()> + 'b),
     account: Account,
     /// The next level, by safe sequences.
@@ -468,7 +485,11 @@ impl<E: Expansion> Search<'_, '_, E> {
 
     fn expand(&mut self, depth: usize, states: &[(&E::State, Before)]) -> Result<Option<ExpandedBy<E>>, E::Error> {
         let tell = &mut *self.tell;
-        self.environment.expand(depth, states, &mut || tell(Told::Working).is_continue())
+        let mut go_on = || tell(Told::Working).is_continue();
+        if !(self.look)(self.environment, &mut go_on)? {
+            return Ok(None);
+        }
+        self.environment.expand(depth, states, &mut go_on)
     }
 
     /// What the actions from a state lead to: of safe sequences, and of those that met something unsafe before.
