@@ -69,7 +69,8 @@ pub mod report;
 pub mod scan;
 pub mod sim;
 
-pub use fmi_hazard_cell::{cell, hazard};
+pub use fmi_hazard_cell::cell;
+pub use fmi_hazard_criteria as hazard;
 pub use fmi_hazard_examples as examples;
 pub use fmi_hazard_human::{geometry, human, standards};
 pub use fmi_hazard_outcome as obligations;

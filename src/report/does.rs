@@ -29,7 +29,7 @@ pub(crate) fn acts(action: Action, names: Option<&[String; 2]>, controls: &[Cont
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::cell::file::format::{ControlKind, ControlledBy};
+    use crate::human::{ControlKind, ControlledBy};
 
     #[test]
     fn what_each_does_is_told_and_what_is_worked() {

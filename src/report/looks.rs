@@ -21,9 +21,9 @@ use super::model::Settings;
 use super::narrower::Narrower;
 use super::people::{BodyRecord, SecondRecord};
 use super::worked::ControlRecord;
-use crate::cell::file::format::{ControlKind, ControlledBy};
 use crate::hazard::{Class, Criterion};
 use crate::human::Ability;
+use crate::human::{ControlKind, ControlledBy};
 
 /// The settings that decide what is told.
 #[derive(Clone, Debug, PartialEq, Deserialize)]

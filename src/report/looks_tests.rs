@@ -3,8 +3,8 @@
 use super::super::criteria::{ClampingRecord, SeparationTerms, StatedStop};
 use super::super::fixtures;
 use super::*;
-use crate::cell::file::format::Sex;
 use crate::human::Radii;
+use crate::standards::anthropometry::Sex;
 
 fn looks() -> Looks {
     let separation = SeparationTerms {

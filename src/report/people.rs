@@ -4,9 +4,8 @@ use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 use crate::cell::Workcell;
-use crate::cell::file::format::Sex;
 use crate::human::{Ability, Anthropometry, Body, Radii};
-use crate::standards::anthropometry::{Percentile, Sex as Surveyed};
+use crate::standards::anthropometry::{Percentile, Sex};
 
 /// Whose body it is and how far it bends.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
@@ -31,10 +30,6 @@ fn is_median(radii: &Radii) -> bool {
 impl From<&Body> for BodyRecord {
     fn from(body: &Body) -> Self {
         let Anthropometry { sex, percentile, bend_forward_deg, bend_lateral_deg, radii_m } = *body.measures();
-        let sex = match sex {
-            Surveyed::Female => Sex::Woman,
-            Surveyed::Male => Sex::Man,
-        };
         Self { sex, percentile: percentile.into(), bend_forward_deg, bend_lateral_deg, radii_m }
     }
 }
@@ -43,11 +38,7 @@ impl BodyRecord {
     /// The body itself; none if there is no such body.
     #[must_use]
     pub(crate) fn body(&self) -> Option<Body> {
-        let sex = match self.sex {
-            Sex::Woman => Surveyed::Female,
-            Sex::Man => Surveyed::Male,
-        };
-        let Self { sex: _, percentile, bend_forward_deg, bend_lateral_deg, radii_m } = *self;
+        let Self { sex, percentile, bend_forward_deg, bend_lateral_deg, radii_m } = *self;
         let percentile = Percentile::try_from(percentile).ok()?;
         Body::new(&Anthropometry { sex, percentile, bend_forward_deg, bend_lateral_deg, radii_m }).ok()
     }

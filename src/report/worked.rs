@@ -4,9 +4,8 @@ use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 use crate::cell::Control;
-use crate::cell::file::format::{ControlKind, ControlledBy};
-use crate::human::Presses;
 use crate::human::action::ACTION_S;
+use crate::human::{ControlKind, ControlledBy, Presses};
 
 /// A control of a cell.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]

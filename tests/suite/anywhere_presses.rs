@@ -3,9 +3,9 @@
 
 use std::path::Path;
 
-use fmi_hazard::cell::file::format::ControlledBy;
 use fmi_hazard::geometry::Vec3;
 use fmi_hazard::host::Recall;
+use fmi_hazard::human::ControlledBy;
 use fmi_hazard::human::{Action, Posture, Presses, Start, Walk};
 use fmi_hazard::scan::StateChoice;
 use fmi_hazard::scan::prepare::{Prepared, prepare};

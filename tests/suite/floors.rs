@@ -5,18 +5,23 @@ use std::path::Path;
 use std::process::Command;
 
 /// Each crate that is published, and the others of them that it draws in, directly or through others: the floors beneath it.
-const BENEATH: [(&str, &[&str]); 9] = [
+const BENEATH: [(&str, &[&str]); 10] = [
     ("fmi-hazard-stop", &[]),
     ("fmi-hazard-examples", &[]),
     ("fmi-hazard-search", &[]),
     ("fmi-hazard-outcome", &[]),
     ("fmu-host", &["fmi-hazard-stop"]),
     ("fmi-hazard-human", &["fmi-hazard-stop"]),
-    ("fmi-hazard-cell", &["fmi-hazard-human", "fmi-hazard-outcome", "fmi-hazard-stop", "fmu-host"]),
+    ("fmi-hazard-criteria", &["fmi-hazard-human", "fmi-hazard-stop"]),
+    (
+        "fmi-hazard-cell",
+        &["fmi-hazard-criteria", "fmi-hazard-human", "fmi-hazard-outcome", "fmi-hazard-stop", "fmu-host"],
+    ),
     (
         "fmi-hazard-simulation",
         &[
             "fmi-hazard-cell",
+            "fmi-hazard-criteria",
             "fmi-hazard-human",
             "fmi-hazard-outcome",
             "fmi-hazard-search",
@@ -28,6 +33,7 @@ const BENEATH: [(&str, &[&str]); 9] = [
         "fmi-hazard",
         &[
             "fmi-hazard-cell",
+            "fmi-hazard-criteria",
             "fmi-hazard-examples",
             "fmi-hazard-human",
             "fmi-hazard-outcome",
@@ -40,11 +46,12 @@ const BENEATH: [(&str, &[&str]); 9] = [
 ];
 
 /// What of others' packages a crate must not draw in: geometry into what hosts FMUs or searches, and the loading of code into what does not.
-const NEVER: [(&str, &[&str]); 4] = [
+const NEVER: [(&str, &[&str]); 5] = [
     ("fmu-host", &["parry3d-f64", "nalgebra", "clap"]),
     ("fmi-hazard-search", &["parry3d-f64", "nalgebra", "libloading", "serde", "clap"]),
     ("fmi-hazard-outcome", &["parry3d-f64", "nalgebra", "libloading", "clap"]),
     ("fmi-hazard-human", &["libloading", "quick-xml", "toml", "clap"]),
+    ("fmi-hazard-criteria", &["libloading", "quick-xml", "toml", "clap"]),
 ];
 
 /// All packages that are in a crate, itself left out.

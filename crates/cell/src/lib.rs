@@ -3,11 +3,10 @@
 //! | floor | what it is |
 //! |---|---|
 //! | [`cell`] | the cell file, what it draws in (URDF, meshes, SSP), plausibility, binding of FMU variables |
-//! | [`hazard`] | what is unsafe, a hazard's identity, what is one cause |
 
 pub mod cell;
-pub mod hazard;
 
+use fmi_hazard_criteria as hazard;
 use fmi_hazard_human::{geometry, human, standards};
 use fmi_hazard_outcome as obligations;
 use fmi_hazard_stop as stop;

@@ -42,7 +42,8 @@ pub use coverage::Coverage;
 pub use simulation::{Instant, Options, Simulation, Snapshot};
 pub use world::World;
 
-use fmi_hazard_cell::{cell, hazard};
+use fmi_hazard_cell::cell;
+use fmi_hazard_criteria as hazard;
 use fmi_hazard_human::{geometry, human, standards};
 use fmi_hazard_search as search;
 use fmi_hazard_stop as stop;

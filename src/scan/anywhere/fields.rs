@@ -5,12 +5,13 @@
 use super::Effort;
 use super::keys::keys;
 use crate::cell::binding::{Binding, SensorBinding};
-use crate::cell::file::format::{ControlKind, ControlledBy, SearchTable};
+use crate::cell::file::format::SearchTable;
 use crate::cell::workcell::{
     Beginning, Clamping, Control, Link, Obstacle, Placing, Robot, SecondPerson, Sensor, Workcell, Zone,
 };
 use crate::hazard::criterion::separation::Separation;
 use crate::hazard::{Criteria, Criterion};
+use crate::human::{ControlKind, ControlledBy};
 
 /// Most two-hand controls of a cell: with each, what is reported of somebody who is nowhere near doubles.
 pub(super) const MOST_TWO_HAND: usize = 3;

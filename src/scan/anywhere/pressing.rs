@@ -10,7 +10,7 @@ use std::f64::consts::{FRAC_PI_4, TAU};
 
 use super::walk_in::WalkIn;
 use crate::cell::Workcell;
-use crate::cell::file::format::ControlledBy;
+use crate::human::ControlledBy;
 use crate::human::action::ACTION_S;
 use crate::human::{Action, Field, Posture, Presses, Start, Walk};
 use crate::scan::prepare::Prepared;

@@ -3,7 +3,7 @@
 //! `scan/anywhere/fields.rs`.
 
 use super::keys::keys;
-use crate::cell::file::format::{ControlKind, ControlledBy, SearchTable};
+use crate::cell::file::format::SearchTable;
 use crate::cell::workcell::{
     Beginning, Clamping, Control, Link, Obstacle, Placing, Robot, SecondPerson, Sensor, Workcell, Zone,
 };
@@ -14,6 +14,7 @@ use crate::hazard::criterion::pressure::LinkContact;
 use crate::hazard::criterion::separation::Separation;
 use crate::human::arm::ArmModel;
 use crate::human::{Arrangement, Presses};
+use crate::human::{ControlKind, ControlledBy};
 use crate::sim::curtain::Curtain;
 
 /// What a cell asks that stepping and looking do not answer.

@@ -11,11 +11,11 @@
 use std::f64::consts::FRAC_1_SQRT_2;
 
 use super::Anywhere;
-use crate::cell::file::format::{ControlKind, ControlledBy};
 use crate::cell::{Control, Workcell};
 use crate::geometry::distance::point_segment;
 use crate::geometry::{Capsule, Vec3};
 use crate::human::{BendFraction, Posture, Presses, Side};
+use crate::human::{ControlKind, ControlledBy};
 
 /// What is on, and how many presses are left.
 #[derive(Clone, Debug, PartialEq, Eq, PartialOrd, Ord)]

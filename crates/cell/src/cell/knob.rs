@@ -9,11 +9,12 @@ use toml::{Table, Value};
 use self::parameter::{Parameter, Quantity, Setting, parameters};
 use self::room::Room;
 use super::{Zone, binding::BoundUnit};
-use crate::cell::file::format::{ControlledBy, ParameterLimits};
+use crate::cell::file::format::ParameterLimits;
 use crate::cell::workcell::{Obstacle, Workcell};
 use crate::fmi;
 use crate::geometry::Vec3;
 use crate::geometry::polygon::widened;
+use crate::human::ControlledBy;
 
 /// What is turned.
 #[derive(Clone, Debug, PartialEq)]

@@ -5,7 +5,7 @@ use std::sync::Arc;
 
 use toml::Spanned;
 
-use super::file::format::{CellFile, ControlKind, ControlledBy, PeopleFrom, PoseQuantity, SearchTable, StartTable};
+use super::file::format::{CellFile, PeopleFrom, PoseQuantity, SearchTable, StartTable};
 use super::following::Following;
 use crate::fmi::number;
 use crate::geometry::kinematics::KinematicTree;
@@ -16,6 +16,7 @@ use crate::hazard::criterion::separation::Separation;
 use crate::human::arm::ArmModel;
 use crate::human::floor::Floor;
 use crate::human::{Arrangement, Body, Presses, Repertoire, Start, Who};
+use crate::human::{ControlKind, ControlledBy};
 use crate::obligations::Acceptance;
 use crate::standards::iso_13855::{Detection, Opening};
 use crate::stop::Stop;

@@ -114,7 +114,7 @@ impl Default for Anthropometry {
     /// Median man, 45 degrees forward, 30 degrees sideways.
     fn default() -> Self {
         Self {
-            sex: Sex::Male,
+            sex: Sex::Man,
             percentile: Percentile::P50,
             bend_forward_deg: 45.0,
             bend_lateral_deg: 30.0,

@@ -38,7 +38,7 @@ fn heights_agree_with_the_survey() {
         check("shoulder", shoulder.z, surveyed.acromial_height_m - 0.04 * scale, 0.015);
         check("shoulder", shoulder.y, 0.5 * surveyed.biacromial_breadth_m - 0.02 * scale, 0.016);
         // Legs are the part that scales least with stature: exact for the man who was measured, else to 3 cm.
-        let tolerance = if (sex, percentile) == (Sex::Male, Percentile::P50) { 0.002 } else { 0.03 };
+        let tolerance = if (sex, percentile) == (Sex::Man, Percentile::P50) { 0.002 } else { 0.03 };
         check("knee", placed.capsule(BodyPart::LeftShank).b.z, surveyed.knee_height_m, tolerance);
         // The pivot of the bend lies between the surveyed trochanterion and the hip joint of Drillis and Contini
         // (0.530 of stature); the two differ by up to 5 cm.
@@ -79,7 +79,7 @@ fn parts_hang_together() {
 
 #[test]
 fn left_is_left() {
-    let body = body(Sex::Male, Percentile::P50);
+    let body = body(Sex::Man, Percentile::P50);
     let placed = upright(&body);
     assert!(placed.shoulder(Side::Left).translation.y > 0.0);
     assert!(placed.capsule(BodyPart::LeftThigh).a.y > 0.0);
@@ -94,7 +94,7 @@ fn left_is_left() {
 /// shoulders likewise with 0.48; legs and pelvis stay.
 #[test]
 fn forward_bend_by_hand() {
-    let body = body(Sex::Male, Percentile::P50);
+    let body = body(Sex::Man, Percentile::P50);
     let at = Vec3::new(2.0, -1.0, 0.0);
     let placed = body.placed(at, 0.0, Posture::Forward, Fraction::FULL);
     let half = 0.5_f64.sqrt();
@@ -123,7 +123,7 @@ fn forward_bend_by_hand() {
 /// and the lowest point of a median man's head is 1.26 m above the floor (published with the cells).
 #[test]
 fn diagonal_bend_by_hand() {
-    let body = body(Sex::Male, Percentile::P50);
+    let body = body(Sex::Man, Percentile::P50);
     for (posture, sign) in [(Posture::ForwardLeft, 1.0), (Posture::ForwardRight, -1.0)] {
         let placed = body.placed(Vec3::ZERO, 0.0, posture, Fraction::FULL);
         let head = placed.capsule(BodyPart::Head);
@@ -149,7 +149,7 @@ fn a_bend_that_is_no_angle_is_refused() {
 #[test]
 fn parameters_are_read_with_defaults_and_without_typing_errors() {
     let short: Anthropometry = serde_json::from_str(r#"{"sex": "female", "percentile": 5}"#).unwrap();
-    let expected = Anthropometry { sex: Sex::Female, percentile: Percentile::P5, ..Anthropometry::default() };
+    let expected = Anthropometry { sex: Sex::Woman, percentile: Percentile::P5, ..Anthropometry::default() };
     assert_eq!(short, expected);
     assert!(serde_json::from_str::<Anthropometry>(r#"{"bend_foward_deg": 30}"#).is_err());
     assert!(serde_json::from_str::<Anthropometry>(r#"{"percentile": 99}"#).is_err());
@@ -159,7 +159,7 @@ fn parameters_are_read_with_defaults_and_without_typing_errors() {
 fn radii_may_be_those_of_somebody_else() {
     let radii_m = Radii { head: Some(0.15), thigh: Some(0.11), shank: Some(0.07), ..Radii::default() };
     let other = Body::new(&Anthropometry { radii_m, ..Anthropometry::default() }).unwrap();
-    let median = body(Sex::Male, Percentile::P50);
+    let median = body(Sex::Man, Percentile::P50);
     // As they are given, whatever the stature.
     let tall = Body::new(&Anthropometry { radii_m, percentile: Percentile::P95, ..Anthropometry::default() }).unwrap();
     assert!((upright(&tall).capsule(BodyPart::Head).radius - 0.15).abs() < 1e-12);
@@ -197,7 +197,7 @@ fn radii_may_be_those_of_somebody_else() {
 /// 0.105 m thick. Limbs keep their lengths, nothing is below the floor, and no part comes apart on the way down.
 #[test]
 fn low_postures_are_as_low_as_they_say() {
-    let median = body(Sex::Male, Percentile::P50);
+    let median = body(Sex::Man, Percentile::P50);
     let cos = |degrees: f64| libm::cos(degrees.to_radians());
     let crouching = 0.055 + 0.435 * cos(35.0) + 0.43 * cos(95.0);
     for (posture, height_m) in [
@@ -252,7 +252,7 @@ fn low_postures_are_as_low_as_they_say() {
 /// Who kneels is on the floor with knees and toes, who crawls with the hands too, who crouches with the feet; half way down, with the feet.
 #[test]
 fn what_touches_the_floor() {
-    let median = body(Sex::Male, Percentile::P50);
+    let median = body(Sex::Man, Percentile::P50);
     let on =
         |posture, fraction| median.on_floor(Vec3::new(1.0, 2.0, 0.0), std::f64::consts::FRAC_PI_2, posture, fraction);
     let at = |points: &[Vec3]| points.iter().map(|p| [p.x, p.y, p.z].map(|v| (v * 1e3).round())).collect::<Vec<_>>();

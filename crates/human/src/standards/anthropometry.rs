@@ -1,6 +1,7 @@
 //! Body measures of the ANSUR II survey (US Army 2012; 4082 men, 1986 women): only those that place the parts of the
 //! body model or check it.
 
+use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 use thiserror::Error;
 
@@ -15,14 +16,15 @@ pub(super) const TABLES: [Table; 1] = [Table {
     verified: false,
 }];
 
-/// Which of the two surveyed populations.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash, Serialize, Deserialize)]
-#[serde(rename_all = "lowercase")]
+/// Sex of the ANSUR II figures.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, PartialOrd, Ord, Hash, Serialize, Deserialize, JsonSchema)]
+#[serde(rename_all = "snake_case")]
 pub enum Sex {
     /// Women.
-    Female,
+    Woman,
     /// Men.
-    Male,
+    #[default]
+    Man,
 }
 
 /// Percentile of the population; as a number 5, 50 or 95 in files.
@@ -93,12 +95,12 @@ pub(crate) const fn measures(sex: Sex, percentile: Percentile) -> Measures {
     // Millimetres as surveyed: stature, cervicale, acromion, trochanterion, knee, biacromial breadth, chest breadth,
     // upper arm, forearm, hand.
     let mm = match (sex, percentile) {
-        (Sex::Male, Percentile::P5) => [1648, 1416, 1339, 824, 449, 384, 261, 307, 244, 177],
-        (Sex::Male, Percentile::P50) => [1755, 1517, 1439, 899, 491, 415, 289, 335, 267, 193],
-        (Sex::Male, Percentile::P95) => [1870, 1623, 1546, 985, 537, 447, 320, 365, 295, 210],
-        (Sex::Female, Percentile::P5) => [1525, 1300, 1242, 774, 422, 335, 241, 283, 218, 165],
-        (Sex::Female, Percentile::P50) => [1626, 1393, 1332, 844, 465, 365, 268, 311, 240, 180],
-        (Sex::Female, Percentile::P95) => [1740, 1498, 1434, 919, 511, 396, 302, 340, 268, 199],
+        (Sex::Man, Percentile::P5) => [1648, 1416, 1339, 824, 449, 384, 261, 307, 244, 177],
+        (Sex::Man, Percentile::P50) => [1755, 1517, 1439, 899, 491, 415, 289, 335, 267, 193],
+        (Sex::Man, Percentile::P95) => [1870, 1623, 1546, 985, 537, 447, 320, 365, 295, 210],
+        (Sex::Woman, Percentile::P5) => [1525, 1300, 1242, 774, 422, 335, 241, 283, 218, 165],
+        (Sex::Woman, Percentile::P50) => [1626, 1393, 1332, 844, 465, 365, 268, 311, 240, 180],
+        (Sex::Woman, Percentile::P95) => [1740, 1498, 1434, 919, 511, 396, 302, 340, 268, 199],
     };
     Measures {
         stature_m: metres(mm[0]),
@@ -115,12 +117,12 @@ pub(crate) const fn measures(sex: Sex, percentile: Percentile) -> Measures {
 /// Every sex and percentile once.
 #[cfg(test)]
 pub(crate) const ALL: [(Sex, Percentile); 6] = [
-    (Sex::Female, Percentile::P5),
-    (Sex::Female, Percentile::P50),
-    (Sex::Female, Percentile::P95),
-    (Sex::Male, Percentile::P5),
-    (Sex::Male, Percentile::P50),
-    (Sex::Male, Percentile::P95),
+    (Sex::Woman, Percentile::P5),
+    (Sex::Woman, Percentile::P50),
+    (Sex::Woman, Percentile::P95),
+    (Sex::Man, Percentile::P5),
+    (Sex::Man, Percentile::P50),
+    (Sex::Man, Percentile::P95),
 ];
 
 const fn metres(mm: u16) -> f64 {
@@ -158,6 +160,6 @@ mod tests {
                 assert_eq!(serde_json::to_string(&percentile).unwrap(), percent.to_string());
             }
         }
-        assert_eq!(serde_json::to_string(&Sex::Female).unwrap(), "\"female\"");
+        assert_eq!(serde_json::to_string(&Sex::Woman).unwrap(), "\"woman\"");
     }
 }

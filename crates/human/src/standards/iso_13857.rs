@@ -75,7 +75,7 @@ mod tests {
     #[test]
     fn whole_arm_agrees_with_measured_arms() {
         let whole = UPPER_ARM_M + FOREARM_M + HAND_RADIUS_M;
-        let measured = |percentile| measures(Sex::Male, percentile).arm_length_m;
+        let measured = |percentile| measures(Sex::Man, percentile).arm_length_m;
         assert!(whole > measured(Percentile::P50));
         assert!((whole - measured(Percentile::P95)).abs() < 0.03);
     }

@@ -14,7 +14,6 @@
 use std::ops::Range;
 
 use super::{Occupant, World};
-use crate::cell::file::format::{ControlKind, ControlledBy};
 use crate::geometry::distance::point_segment;
 use crate::geometry::kinematics::Neighbourhood;
 use crate::geometry::{Capsule, Cuboid, Solid, Vec3};
@@ -22,6 +21,7 @@ use crate::human::arm::ArmModel;
 use crate::human::reach::{ArmSegment, ContactScore, ReachQuery, reach};
 use crate::human::walk::{WalkTrace, Walker};
 use crate::human::{Action, Place, PlacedBody, Posture, Presses, Side, Who, shoulder};
+use crate::human::{ControlKind, ControlledBy};
 
 /// Boxes of joint angles after which a hand is taken to get there.
 const WORK_LIMIT: u32 = 200_000;

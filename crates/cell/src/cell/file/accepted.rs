@@ -3,10 +3,11 @@
 use toml::Spanned;
 
 use super::checker::Checker;
-use super::format::{AcceptTable, Acceptable, CellFile, ControlledBy};
+use super::format::{AcceptTable, Acceptable, CellFile};
 use crate::cell::CellError;
 use crate::cell::error::Source;
 use crate::cell::workcell::{Clamping, Control, Robot, Sensor, Zone};
+use crate::human::ControlledBy;
 use crate::obligations::{Acceptance, Assumption, readings as named};
 
 /// Longest time in which something is accepted to show, s.

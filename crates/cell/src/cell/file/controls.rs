@@ -3,13 +3,14 @@
 use toml::Spanned;
 
 use super::checker::Checker;
-use super::format::{CellFile, ControlKind, ControlTable, ControlledBy};
+use super::format::{CellFile, ControlTable};
 use crate::cell::CellError;
 use crate::cell::workcell::Control;
 use crate::fmi::number;
 use crate::geometry::{Capsule, Vec3};
 use crate::human::Presses;
 use crate::human::action::ACTION_S;
+use crate::human::{ControlKind, ControlledBy};
 
 /// A hand that comes this near works a control unless told otherwise, m.
 const WITHIN_M: f64 = 0.03;

@@ -20,13 +20,13 @@ use toml::Spanned;
 pub(crate) use accept::{AcceptTable, Acceptable};
 pub use criteria::{ContactTable, CriteriaTable, OnOrClamping, OnOrMoving, SeparationTable, SpeedOrOff};
 pub(crate) use explain::{ExplainTable, ParameterLimits};
-pub use person::{HumanTable, People, PeopleFrom, SecondTable, Sex, StartAreaTable, StartTable};
+pub use person::{HumanTable, People, PeopleFrom, SecondTable, StartAreaTable, StartTable};
 pub(crate) use robot::{
     CapsuleTable, FrameTable, InertiaTable, JointTable, LinkTable, MeshTable, RobotTable, UpAxis, VariableTable,
 };
 pub use surroundings::{
-    ControlKind, ControlTable, ControlledBy, EvaluatedTable, MovesTable, ObstacleTable, SensorKind, SensorTable,
-    StaticMeshTable, ValuesTable, WhileTable, ZoneTable,
+    ControlTable, EvaluatedTable, MovesTable, ObstacleTable, SensorKind, SensorTable, StaticMeshTable, ValuesTable,
+    WhileTable, ZoneTable,
 };
 
 /// The whole file.

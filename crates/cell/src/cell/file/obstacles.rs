@@ -8,7 +8,7 @@ use std::path::Path;
 use super::checker::{Checker, pose};
 use super::described::upright;
 use super::files::plain;
-use super::format::{CellFile, ControlKind, ObstacleTable, PoseTable, StaticMeshTable, UpAxis};
+use super::format::{CellFile, ObstacleTable, PoseTable, StaticMeshTable, UpAxis};
 use crate::cell::CellError;
 use crate::cell::foreign::mesh::{Mesh, ending};
 use crate::cell::foreign::{gltf, mesh};
@@ -18,6 +18,7 @@ use crate::geometry::boxes::{self, TooMany};
 use crate::geometry::roll_pitch_yaw;
 use crate::geometry::surface::{Flaw, Surface, Triangles};
 use crate::geometry::{Cuboid, Vec3};
+use crate::human::ControlKind;
 
 type Result<T> = std::result::Result<T, Box<CellError>>;
 

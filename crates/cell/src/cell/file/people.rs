@@ -5,13 +5,13 @@ use std::ops::Range;
 use toml::Spanned;
 
 use super::checker::Checker;
-use super::format::{CellFile, HumanTable, SecondTable, Sex};
+use super::format::{CellFile, HumanTable, SecondTable};
 use crate::cell::CellError;
 use crate::cell::workcell::{Control, SecondPerson, Sensor};
 use crate::fmi::number;
 use crate::human::body::BodyError;
 use crate::human::{Ability, Anthropometry, Body, Radii, Repertoire, Start};
-use crate::standards::anthropometry::{Percentile, Sex as AnsurSex};
+use crate::standards::anthropometry::{Percentile, Sex};
 use crate::standards::iso_13855::WALKING_SPEED_M_S;
 
 /// What the table of a person says of the body.
@@ -64,12 +64,8 @@ impl Checker<'_> {
                 return Err(self.source.error(keys.percentile.span(), "here", message, help));
             }
         };
-        let sex = match keys.sex {
-            Sex::Woman => AnsurSex::Female,
-            Sex::Man => AnsurSex::Male,
-        };
         let measures = Anthropometry {
-            sex,
+            sex: keys.sex,
             percentile,
             bend_forward_deg: keys.bend_forward_deg,
             bend_lateral_deg: keys.bend_lateral_deg,

@@ -1,9 +1,11 @@
 //! What is around the robots in the cell file: obstacles and sensors.
 
 use schemars::{JsonSchema, Schema};
-use serde::{Deserialize, Serialize};
+use serde::Deserialize;
 use serde_json::json;
 use toml::Spanned;
+
+use crate::human::{ControlKind, ControlledBy};
 
 use super::{Literal, PoseTable, UpAxis};
 
@@ -222,32 +224,6 @@ pub struct EvaluatedTable {
     /// Its value while a person is detected; that of the sensor, unless told otherwise.
     #[serde(default)]
     pub active: Option<bool>,
-}
-
-/// Who can work a control.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
-#[serde(rename_all = "snake_case")]
-pub enum ControlledBy {
-    /// The person in the cell, when a hand gets there from where the person stands as the action begins.
-    #[default]
-    Person,
-    /// Anyone, at any time: a colleague outside who does not see the person.
-    Anyone,
-    /// Nobody, while the person is in the cell: as if it were out of reach, or had no effect then.
-    Nobody,
-}
-
-/// How a control is worked.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
-#[serde(rename_all = "snake_case")]
-pub enum ControlKind {
-    /// A push button: pressed for a time, then released.
-    #[default]
-    Momentary,
-    /// Held for as long as somebody's hand is on it: whole actions.
-    Held,
-    /// A switch, a key, a bolt: it stays as it was put until it is worked again.
-    Toggled,
 }
 
 /// Something that people work: a button, a switch, an acknowledgement. The search works it in any action, if whoever may does

@@ -1,4 +1,4 @@
-//! What counts as unsafe, and the records of it.
+//! What counts as unsafe: contacts against their limits, and which hazards are the same.
 //!
 //! - [`cause`]: hazards that an engineer would call one flaw, under a stable id
 //! - [`contact`]: a contact against its limits; the unsafe-state criterion U
@@ -18,7 +18,7 @@ pub mod finding;
 pub mod group;
 mod part;
 pub mod place;
-pub(crate) mod strike;
+pub mod strike;
 
 pub use contact::Contact;
 pub use criterion::{Class, Criteria, Criterion};
@@ -26,3 +26,5 @@ pub use finding::Finding;
 pub use group::{Group, Groups, Identity};
 pub use part::Part;
 pub use strike::{STANDSTILL_M_S, Strike};
+
+use fmi_hazard_human::{geometry, human, standards};

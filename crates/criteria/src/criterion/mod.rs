@@ -44,7 +44,7 @@ impl Default for Criteria {
 impl Criteria {
     /// The same for another speed of the transient force.
     #[must_use]
-    pub(crate) const fn with_speed(self, speed: Criterion) -> Self {
+    pub const fn with_speed(self, speed: Criterion) -> Self {
         Self { transient_force: Some(speed), ..self }
     }
 
