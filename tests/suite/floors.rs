@@ -5,17 +5,25 @@ use std::path::Path;
 use std::process::Command;
 
 /// Each crate that is published, and the others of them that it draws in, directly or through others: the floors beneath it.
-const BENEATH: [(&str, &[&str]); 10] = [
+const BENEATH: [(&str, &[&str]); 11] = [
     ("fmi-hazard-stop", &[]),
     ("fmi-hazard-examples", &[]),
     ("fmi-hazard-search", &[]),
     ("fmi-hazard-outcome", &[]),
-    ("fmu-host", &["fmi-hazard-stop"]),
+    ("fmu-self-test", &[]),
+    ("fmu-host", &["fmi-hazard-stop", "fmu-self-test"]),
     ("fmi-hazard-human", &["fmi-hazard-stop"]),
     ("fmi-hazard-criteria", &["fmi-hazard-human", "fmi-hazard-stop"]),
     (
         "fmi-hazard-cell",
-        &["fmi-hazard-criteria", "fmi-hazard-human", "fmi-hazard-outcome", "fmi-hazard-stop", "fmu-host"],
+        &[
+            "fmi-hazard-criteria",
+            "fmi-hazard-human",
+            "fmi-hazard-outcome",
+            "fmi-hazard-stop",
+            "fmu-host",
+            "fmu-self-test",
+        ],
     ),
     (
         "fmi-hazard-simulation",
@@ -27,6 +35,7 @@ const BENEATH: [(&str, &[&str]); 10] = [
             "fmi-hazard-search",
             "fmi-hazard-stop",
             "fmu-host",
+            "fmu-self-test",
         ],
     ),
     (
@@ -41,13 +50,15 @@ const BENEATH: [(&str, &[&str]); 10] = [
             "fmi-hazard-simulation",
             "fmi-hazard-stop",
             "fmu-host",
+            "fmu-self-test",
         ],
     ),
 ];
 
 /// What of others' packages a crate must not draw in: geometry into what hosts FMUs or searches, and the loading of code into what does not.
-const NEVER: [(&str, &[&str]); 5] = [
+const NEVER: [(&str, &[&str]); 6] = [
     ("fmu-host", &["parry3d-f64", "nalgebra", "clap"]),
+    ("fmu-self-test", &["libloading", "quick-xml", "zip"]),
     ("fmi-hazard-search", &["parry3d-f64", "nalgebra", "libloading", "serde", "clap"]),
     ("fmi-hazard-outcome", &["parry3d-f64", "nalgebra", "libloading", "clap"]),
     ("fmi-hazard-human", &["libloading", "quick-xml", "toml", "clap"]),

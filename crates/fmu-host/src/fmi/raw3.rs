@@ -9,7 +9,7 @@ use super::error::Error;
 use super::library::{Slave, Table};
 use super::log::{Environment, log_message};
 use super::raw::{Raw, c_text};
-use super::text::number;
+use fmu_self_test::number;
 
 /// Rounds of event iteration before an FMU is taken to have no end.
 const EVENT_ROUNDS: usize = 100;

@@ -52,13 +52,6 @@ pub fn printable(text: &str) -> String {
     out
 }
 
-/// A number as a person writes it: very small and very large ones with an exponent, not with hundreds of zeros.
-#[must_use]
-pub fn number(value: f64) -> String {
-    let plain = value == 0.0 || !value.is_finite() || (1e-5..1e16).contains(&value.abs());
-    if plain { value.to_string() } else { format!("{value:e}") }
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -71,22 +64,6 @@ mod tests {
         // Ordinary writing of any language, quotes and backslashes stay.
         for plain in ["robot.q[1]", "\u{df}\u{e4}", "\u{5e0}\u{5e2}", "\u{65e5}\u{672c}", "e\u{301}", "'a' \"b\" \\"] {
             assert_eq!(escaped(plain), plain);
-        }
-    }
-
-    #[test]
-    fn numbers_are_short() {
-        for (value, text) in [
-            (0.0, "0"),
-            (-0.02, "-0.02"),
-            (1e-300, "1e-300"),
-            (-2.5e-9, "-2.5e-9"),
-            (1e300, "1e300"),
-            (1e9, "1000000000"),
-            (f64::NAN, "NaN"),
-            (f64::NEG_INFINITY, "-inf"),
-        ] {
-            assert_eq!(number(value), text);
         }
     }
 

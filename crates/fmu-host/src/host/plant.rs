@@ -6,6 +6,7 @@
 use std::borrow::Cow;
 use std::fmt;
 
+use fmu_self_test::Said;
 use serde::{Deserialize, Serialize};
 
 use crate::stop::Stop;
@@ -393,11 +394,7 @@ impl PlantError {
 
 impl fmt::Display for PlantError {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.write_str(&self.message)?;
-        if !self.printed.is_empty() {
-            f.write_str("\nthe last lines that it printed:")?;
-        }
-        self.printed.iter().try_for_each(|line| write!(f, "\n  {line}"))
+        Said { message: &self.message, printed: &self.printed }.fmt(f)
     }
 }
 

@@ -14,12 +14,10 @@
 //! compared, and that of the other of with Event Mode and without.
 
 mod agreement;
+mod facts;
 mod motion;
-mod reliance;
 
-use std::fmt;
-
-use schemars::JsonSchema;
+pub use fmu_self_test::{Agreement, Apart, Motion, Rung, SelfTest, Untried};
 use serde::{Deserialize, Serialize};
 
 use super::activity::Activity;
@@ -27,10 +25,8 @@ use super::plant::{Plant, PlantError};
 use super::port::{Port, PortKind};
 use super::system::{System, SystemSetup};
 use crate::fmi::Slave;
-pub use agreement::Agreement;
 pub(super) use agreement::{Columns, agreement};
-pub use motion::{Apart, Motion, Untried};
-pub(super) use reliance::Facts;
+pub(super) use facts::Facts;
 
 /// A part of the self-test. Each may crash on an FMU that is badly made.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Serialize, Deserialize)]
@@ -65,178 +61,67 @@ impl Stage {
     pub(super) const MOTION: [Self; 2] = [Self::HalfSteps, Self::EventMode];
 }
 
-/// The outcome of the self-test.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
-pub struct SelfTest {
-    /// Steps of one run.
-    pub steps: usize,
-    /// Communication step, s.
-    pub step_s: f64,
-    /// Inputs moved and outputs compared.
-    pub inputs: usize,
-    /// Outputs compared.
-    pub outputs: usize,
-    /// Two fresh instances, one after the other, same inputs.
-    pub deterministic: Agreement,
-    /// A second instance beside a living first one.
-    pub second_instance: Agreement,
-    /// Restoring a state against the uninterrupted run: two states held, both returned to, the first one twice.
-    pub restore: Agreement,
-    /// The same with copies of the FMU's process as states, for FMUs in workers.
-    pub fork: Agreement,
-    /// Two fresh processes, for FMUs in workers.
-    pub fresh_process: Agreement,
-    /// `fmi2Reset` against a fresh instance.
-    pub reset: Agreement,
-    /// A serialised state brought back in another instance.
-    pub serialize: Agreement,
-    /// The motion of the first run against that in half steps.
-    #[serde(default)]
-    pub half_steps: Motion,
-    /// The motion of the first run against that of the other of with Event Mode and without.
-    #[serde(default)]
-    pub event_mode: Motion,
-    /// Whether an FMU is run with its Event Mode.
-    #[serde(default)]
-    pub uses_event_mode: bool,
-    /// What the FMUs said of events in the first run that could not be followed.
-    #[serde(default, skip_serializing_if = "Vec::is_empty")]
-    pub remarks: Vec<String>,
-    /// Bytes of a serialised state.
-    pub bytes_per_state: Option<usize>,
-    /// Largest change of any output over the run: zero means that nothing moves.
-    pub output_range: f64,
-}
-
-impl SelfTest {
-    /// Whether results can be replayed at all: in another process, where there are any.
-    #[must_use]
-    pub fn repeatable(&self) -> bool {
-        match self.fresh_process {
-            Agreement::NotOffered => self.deterministic == Agreement::Exact,
-            _ => self.fresh_process == Agreement::Exact,
-        }
-    }
-
-    /// How runs that should be the same differ, where results cannot be replayed.
-    #[must_use]
-    pub fn unrepeated(&self) -> Option<&Agreement> {
-        let worse = match self.fresh_process {
-            Agreement::NotOffered => &self.deterministic,
-            _ => &self.fresh_process,
-        };
-        (!self.repeatable()).then_some(worse)
-    }
-
-    /// One that knows nothing but the first run.
-    pub(super) fn begun(setup: &SystemSetup, steps: usize, reference: &[f64], facts: &Facts) -> Self {
-        let rows = setup.columns();
-        let range = |c: usize| {
-            let column = reference.iter().skip(c).step_by(rows);
-            let (low, high) = column.fold((f64::MAX, f64::MIN), |(l, h), &v| (l.min(v), h.max(v)));
-            high - low
-        };
-        Self {
-            steps,
-            step_s: setup.step_s,
-            inputs: setup.inputs.len(),
-            outputs: rows,
-            deterministic: Agreement::NotOffered,
-            second_instance: Agreement::NotOffered,
-            restore: Agreement::NotOffered,
-            fork: Agreement::NotOffered,
-            fresh_process: Agreement::NotOffered,
-            reset: Agreement::NotOffered,
-            serialize: Agreement::NotOffered,
-            half_steps: facts.against_half_steps.clone().map_or_else(Motion::default, |why| Motion::NotTried { why }),
-            event_mode: facts.against_other_mode.clone().map_or_else(Motion::default, |why| Motion::NotTried { why }),
-            uses_event_mode: facts.event_mode.contains(&true),
-            remarks: facts.remarks.clone(),
-            bytes_per_state: None,
-            output_range: (0..setup.outputs.len()).map(range).fold(0.0, f64::max),
-        }
-    }
-
-    /// Notes what a stage found.
-    pub(super) fn note(&mut self, stage: Stage, found: Found) {
-        match (stage, found) {
-            (Stage::FirstRun | Stage::Deterministic, Found::Agreement(found)) => self.deterministic = found,
-            (Stage::SecondInstance, Found::Agreement(found)) => self.second_instance = found,
-            (Stage::Restore, Found::Agreement(found)) => self.restore = found,
-            (Stage::StateSize | Stage::Serialize, Found::Agreement(found)) => self.serialize = found,
-            (Stage::Reset, Found::Agreement(found)) => self.reset = found,
-            (Stage::HalfSteps, Found::Motion(found)) => self.half_steps = found,
-            (Stage::EventMode, Found::Motion(found)) => self.event_mode = found,
-            (_, Found::Bytes(bytes)) => self.bytes_per_state = Some(bytes),
-            (Stage::HalfSteps | Stage::EventMode, Found::Agreement(_)) | (_, Found::Motion(_)) => {}
-        }
-    }
-
-    /// Whether a stage makes sense after what was found before it.
-    pub(super) fn wants(&self, stage: Stage, skip: &[Stage]) -> bool {
-        !skip.contains(&stage) && (stage != Stage::Serialize || self.bytes_per_state.is_some())
-    }
-
-    /// The way of bringing states back that this FMU deserves. `fork_pays` where its actions cost more than a copy of its
-    /// process.
-    #[must_use]
-    pub fn rung(&self, fork_pays: bool) -> Rung {
-        match (&self.restore, &self.fork, &self.deterministic) {
-            (Agreement::Exact, _, Agreement::Exact) => Rung::SavedStates,
-            (_, Agreement::Exact, Agreement::Exact) if fork_pays => Rung::Copies,
-            (_, _, Agreement::Exact) => Rung::Instances,
-            // One instance in a process: its copies do, and so do fresh processes.
-            (_, Agreement::Exact, _) => Rung::Copies,
-            _ => Rung::Processes,
-        }
-    }
-
-    /// At most this many states may be kept within a budget.
-    #[must_use]
-    pub fn most_states(&self, budget_bytes: usize) -> usize {
-        // Without serialisation the size is unknown; 64 KiB is above what small FMUs need.
-        let size = self.bytes_per_state.unwrap_or(64 * 1024).max(256);
-        (budget_bytes / size).max(16)
-    }
-
-    /// Why states are brought back as they are.
-    #[must_use]
-    pub fn because(&self, rung: Rung) -> String {
-        let saving = match &self.restore {
-            Agreement::Exact => "restored exactly",
-            Agreement::NotOffered => "the FMU cannot save its state",
-            Agreement::Differs { .. } | Agreement::Failed { .. } => {
-                "the FMU says it can save its state, but does not do it exactly"
-            }
-        };
-        let single = if self.deterministic == Agreement::Exact { "" } else { ", and runs once in a process" };
-        format!("{rung} ({saving}{single})")
+/// One that knows nothing but the first run.
+pub(super) fn begun(setup: &SystemSetup, steps: usize, reference: &[f64], facts: &Facts) -> SelfTest {
+    let rows = setup.columns();
+    let range = |c: usize| {
+        let column = reference.iter().skip(c).step_by(rows);
+        let (low, high) = column.fold((f64::MAX, f64::MIN), |(l, h), &v| (l.min(v), h.max(v)));
+        high - low
+    };
+    SelfTest {
+        steps,
+        step_s: setup.step_s,
+        inputs: setup.inputs.len(),
+        outputs: rows,
+        deterministic: Agreement::NotOffered,
+        second_instance: Agreement::NotOffered,
+        restore: Agreement::NotOffered,
+        fork: Agreement::NotOffered,
+        fresh_process: Agreement::NotOffered,
+        reset: Agreement::NotOffered,
+        serialize: Agreement::NotOffered,
+        half_steps: facts.against_half_steps.clone().map_or_else(Motion::default, |why| Motion::NotTried { why }),
+        event_mode: facts.against_other_mode.clone().map_or_else(Motion::default, |why| Motion::NotTried { why }),
+        uses_event_mode: facts.event_mode.contains(&true),
+        remarks: facts.remarks.clone(),
+        bytes_per_state: None,
+        output_range: (0..setup.outputs.len()).map(range).fold(0.0, f64::max),
     }
 }
 
-/// A way of bringing states back, the plainest last. With an FMU that keeps its promises only the speed differs.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Serialize, Deserialize)]
-#[serde(rename_all = "snake_case")]
-pub enum Rung {
-    /// States saved by the FMU.
-    SavedStates,
-    /// Copies of the FMU's process.
-    Copies,
-    /// A fresh instance and the same inputs again.
-    Instances,
-    /// A fresh process and the same inputs again.
-    Processes,
+/// Notes what a stage found.
+pub(super) fn note(result: &mut SelfTest, stage: Stage, found: Found) {
+    match (stage, found) {
+        (Stage::FirstRun | Stage::Deterministic, Found::Agreement(found)) => result.deterministic = found,
+        (Stage::SecondInstance, Found::Agreement(found)) => result.second_instance = found,
+        (Stage::Restore, Found::Agreement(found)) => result.restore = found,
+        (Stage::StateSize | Stage::Serialize, Found::Agreement(found)) => result.serialize = found,
+        (Stage::Reset, Found::Agreement(found)) => result.reset = found,
+        (Stage::HalfSteps, Found::Motion(found)) => result.half_steps = found,
+        (Stage::EventMode, Found::Motion(found)) => result.event_mode = found,
+        (_, Found::Bytes(bytes)) => result.bytes_per_state = Some(bytes),
+        (Stage::HalfSteps | Stage::EventMode, Found::Agreement(_)) | (_, Found::Motion(_)) => {}
+    }
 }
 
-impl fmt::Display for Rung {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.write_str(match self {
-            Self::SavedStates => "saved FMU states",
-            Self::Copies => "copies of the FMU's process",
-            Self::Instances => "fresh instance and replay",
-            Self::Processes => "fresh process and replay",
-        })
+/// Whether a stage makes sense after what was found before it.
+pub(super) fn wants(result: &SelfTest, stage: Stage, skip: &[Stage]) -> bool {
+    !skip.contains(&stage) && (stage != Stage::Serialize || result.bytes_per_state.is_some())
+}
+
+/// Whether a stage that compares motions makes sense after what was found before it; notes it if not. `remembered` if the
+/// first run need not be made again for it, in the same process.
+pub(super) fn wants_motion(result: &mut SelfTest, stage: Stage, skip: &[Stage], remembered: bool) -> bool {
+    let repeats = result.repeatable() && (remembered || result.deterministic == Agreement::Exact);
+    let noted = if stage == Stage::HalfSteps { &mut result.half_steps } else { &mut result.event_mode };
+    if skip.contains(&stage) || *noted != Motion::default() {
+        return false;
     }
+    if !repeats {
+        *noted = Motion::NotTried { why: Untried::NotRepeated };
+    }
+    repeats
 }
 
 /// What a stage finds.
@@ -254,8 +139,8 @@ impl Found {
     /// What it is for a stage that it fails.
     pub(super) fn failed(stage: Stage, error: PlantError) -> Self {
         match stage {
-            Stage::HalfSteps | Stage::EventMode => Self::Motion(Motion::failed(error)),
-            _ => Self::Agreement(Agreement::failed(error)),
+            Stage::HalfSteps | Stage::EventMode => Self::Motion(Motion::from(error)),
+            _ => Self::Agreement(Agreement::from(error)),
         }
     }
 }
@@ -272,15 +157,15 @@ pub fn selftest(
     activity: Activity,
 ) -> Result<SelfTest, PlantError> {
     let reference = reference(slaves, setup, steps, activity)?;
-    let mut result = SelfTest::begun(setup, steps, &reference, &Facts::of(slaves, setup));
+    let mut result = begun(setup, steps, &reference, &Facts::of(slaves, setup));
     for later in Stage::LATER {
-        if result.wants(later, skip) {
-            result.note(later, stage(slaves, setup, steps, later, &reference, activity));
+        if wants(&result, later, skip) {
+            note(&mut result, later, stage(slaves, setup, steps, later, &reference, activity));
         }
     }
     for later in Stage::MOTION {
-        if result.wants_motion(later, skip, true) {
-            result.note(later, stage(slaves, setup, steps, later, &reference, activity));
+        if wants_motion(&mut result, later, skip, true) {
+            note(&mut result, later, stage(slaves, setup, steps, later, &reference, activity));
         }
     }
     Ok(result)
@@ -349,7 +234,7 @@ pub(super) fn stage(
             let first = whole(&mut fresh(), steps, &main);
             match first {
                 Ok(first) => agreement(&first, whole(&mut fresh(), steps, &main), &columns),
-                Err(error) => Agreement::failed(error),
+                Err(error) => Agreement::from(error),
             }
         }
         Stage::SecondInstance => {
@@ -370,7 +255,7 @@ pub(super) fn stage(
         Stage::Restore => restore_test(fresh(), reference, (&main, &other), steps, width, &columns),
         Stage::StateSize => match state_size(fresh()) {
             Ok(bytes) => return Found::Bytes(bytes),
-            Err(error) => Agreement::failed(error),
+            Err(error) => Agreement::from(error),
         },
         Stage::Serialize => serialize_test(&fresh, reference, &main, steps, width, &columns),
         Stage::Reset => compare((|| {
@@ -473,7 +358,7 @@ pub(super) fn restore_test(
     })();
     match outcome {
         Ok(all) => all.into_iter().find(|a| *a != Agreement::Exact).unwrap_or(Agreement::Exact),
-        Err(error) => Agreement::failed(error),
+        Err(error) => Agreement::from(error),
     }
 }
 

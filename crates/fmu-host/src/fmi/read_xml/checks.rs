@@ -2,10 +2,10 @@
 
 use std::collections::{BTreeMap, BTreeSet};
 
-use super::super::text::number;
 use super::super::variable::{Causality, VariableType};
 use super::attributes::Attributes;
 use super::{Parser, Problem};
+use fmu_self_test::number;
 
 impl Parser {
     /// The suggested experiment; what makes no sense is left out.

@@ -7,7 +7,7 @@ use super::isolated::{Isolated, Keeping};
 use super::launch::Launcher;
 use super::message::{Answer, Question};
 use crate::host::plant::{Plant as _, PlantError, insist};
-use crate::host::selftest::{Agreement, Columns, Facts, Found, SelfTest, Stage, agreement, moving, restore_test};
+use crate::host::selftest::{self, Agreement, Columns, Facts, Found, SelfTest, Stage, agreement, moving, restore_test};
 
 /// What the self-test of FMUs in a worker gave.
 pub struct Examination {
@@ -39,7 +39,7 @@ fn try_processes(launcher: &Launcher, steps: usize, result: &mut SelfTest) -> Du
     let reference: Vec<f64> = match run() {
         Ok(reference) => reference,
         Err(error) => {
-            result.fresh_process = Agreement::failed(error);
+            result.fresh_process = Agreement::from(error);
             return step_time;
         }
     };
@@ -47,8 +47,8 @@ fn try_processes(launcher: &Launcher, steps: usize, result: &mut SelfTest) -> Du
     let mut plant = Isolated::new(launcher.clone(), Keeping::ByFork);
     let tried = plant.restart().and_then(|_| plant.advance(1, &main[..width]));
     result.fork = match (tried, plant.reason_against_copies()) {
-        (Err(error), _) => Agreement::failed(error),
-        (Ok(_), Some(reason)) => Agreement::failed(PlantError::of(reason)),
+        (Err(error), _) => Agreement::from(error),
+        (Ok(_), Some(reason)) => Agreement::from(PlantError::of(reason)),
         (Ok(_), None) => restore_test(plant, &reference, (&main, &other), steps, width, &columns),
     };
     step_time
@@ -162,7 +162,7 @@ pub fn examine(launcher: &Launcher, steps: usize, skip: &[Stage]) -> Result<Exam
         Ok((answer, _)) => return Err(unexpected(answer)),
     };
     let launcher = launcher.clone().with_event_mode(facts.event_mode.clone());
-    let mut result = SelfTest::begun(launcher.setup(), steps, &reference, &facts);
+    let mut result = selftest::begun(launcher.setup(), steps, &reference, &facts);
     if long {
         reference.clear();
     }
@@ -174,14 +174,14 @@ pub fn examine(launcher: &Launcher, steps: usize, skip: &[Stage]) -> Result<Exam
         Err(error) => Err(error),
     };
     for stage in Stage::LATER {
-        if result.wants(stage, skip) {
-            result.note(stage, tried(stage)?);
+        if selftest::wants(&result, stage, skip) {
+            selftest::note(&mut result, stage, tried(stage)?);
         }
     }
     let step_time = try_processes(&launcher, steps, &mut result);
     for stage in Stage::MOTION {
-        if result.wants_motion(stage, skip, !long) {
-            result.note(stage, tried(stage)?);
+        if selftest::wants_motion(&mut result, stage, skip, !long) {
+            selftest::note(&mut result, stage, tried(stage)?);
         }
     }
     Ok(Examination { result, launcher, missing, step_time })

@@ -3,14 +3,11 @@
 //! What an FMU drops at an event, or what depends on the communication step, is the same in every run of the same steps: no
 //! comparison of such runs shows it. These compare other runs, and so by how much and not bit by bit.
 
-use std::fmt;
-
-use schemars::JsonSchema;
-use serde::{Deserialize, Serialize};
+use fmu_self_test::{Apart, Motion, Untried};
 
 use super::agreement::Columns;
 use super::whole;
-use crate::fmi::{Slave, number};
+use crate::fmi::Slave;
 use crate::host::activity::Activity;
 use crate::host::in_process::{NO_NUMBER, REFUSED};
 use crate::host::plant::PlantError;
@@ -24,145 +21,34 @@ const ALIKE: f64 = 0.02;
 /// A number that ranges over less does not move: of its largest value, or of its unit where that is more.
 const STILL: f64 = 1e-4;
 
-/// How two runs compare that should show the same motion.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
-#[serde(rename_all = "snake_case", tag = "result")]
-pub enum Motion {
-    /// The same motion.
-    Same {
-        /// Of the outputs that are bound, the one that differs most.
-        most: Apart,
-        /// An output that the cell does not bind and that shows another motion.
-        #[serde(default, skip_serializing_if = "Option::is_none")]
-        unbound: Option<Apart>,
-    },
-    /// Another motion.
-    Differs {
-        /// The bound output that differs most.
-        most: Apart,
-    },
-    /// The FMU failed in the other run.
-    Failed {
-        /// What it said.
-        reason: String,
-    },
-    /// Nothing was compared.
-    NotTried {
-        /// Why.
-        why: Untried,
-    },
-}
-
-/// How far an output is apart in two runs.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
-pub struct Apart {
-    /// Its name.
-    pub output: String,
-    /// The largest difference as a share of what it ranges over; of one that counts or is true or false, the share of rows that
-    /// differ. What comes up to half a communication step earlier or later (a whole one, of the latter) is no difference.
-    pub share: f64,
-}
-
-/// Why motions were not compared.
-#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize, JsonSchema)]
-#[serde(rename_all = "snake_case", tag = "kind")]
-pub enum Untried {
-    /// It was not asked for, or by a version that did not have it.
-    #[default]
-    NotAsked,
-    /// Several FMUs, or one connected with itself: they exchange values once in a communication step.
-    Coupled,
-    /// The FMU makes steps of its own length only.
-    OwnSteps {
-        /// This one, s.
-        step_s: f64,
-    },
-    /// The FMU has clocks that are driven once in a communication step, or in Event Mode only.
-    Clocks,
-    /// The FMU does not repeat its runs.
-    NotRepeated,
-    /// No output moved.
-    NothingMoved,
-    /// The FMU has no Event Mode.
-    NoEventMode,
-    /// The FMU refuses the step.
-    Refused {
-        /// What it said.
-        reason: String,
-    },
-}
-
-impl Default for Motion {
-    fn default() -> Self {
-        Self::NotTried { why: Untried::default() }
-    }
-}
-
-impl fmt::Display for Apart {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        write!(f, "`{}` by {:.2} %", self.output, self.share * 100.0)
-    }
-}
-
-impl fmt::Display for Untried {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        match self {
-            Self::NotAsked => f.write_str("not asked for"),
-            Self::Coupled => f.write_str("connected FMUs exchange values once in a step"),
-            Self::OwnSteps { step_s } => write!(f, "the FMU makes steps of {} s only", number(*step_s)),
-            Self::Clocks => f.write_str("the FMU has clocks that need Event Mode and tick once in a step"),
-            Self::NotRepeated => f.write_str("the FMU does not repeat its runs"),
-            Self::NothingMoved => f.write_str("no output moved"),
-            Self::NoEventMode => f.write_str("the FMU has no Event Mode"),
-            Self::Refused { reason } => write!(f, "the FMU refuses the step: {reason}"),
-        }
-    }
-}
-
-impl fmt::Display for Motion {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        match self {
-            Self::Same { most, unbound } => {
-                write!(f, "same, most apart {most}")?;
-                match unbound {
-                    Some(apart) => write!(f, "; not bound and WRONG, {apart}"),
-                    None => Ok(()),
-                }
-            }
-            Self::Differs { most } => write!(f, "WRONG, {most}"),
-            Self::Failed { reason } => write!(f, "FAILED: {reason}"),
-            Self::NotTried { why } => write!(f, "not tried: {why}"),
-        }
-    }
-}
-
-impl Motion {
-    pub(in crate::host) fn failed(error: PlantError) -> Self {
+/// There is nothing to compare.
+impl From<PlantError> for Motion {
+    fn from(error: PlantError) -> Self {
         Self::Failed { reason: error.message }
     }
+}
 
-    /// Of a reference and a run with a row after each half of its steps; the first `bound` columns are bound.
-    fn of(reference: &[f64], halves: &[f64], columns: &Columns, bound: usize) -> Self {
-        let width = columns.names.len().max(1);
-        if halves.len() + width != 2 * reference.len() {
-            return Self::failed(PlantError::of("runs of different length"));
-        }
-        let column =
-            |rows: &[f64], column: usize| -> Vec<f64> { rows.iter().skip(column).step_by(width).copied().collect() };
-        let apart = |at: usize| {
-            let share = apart(columns.kind(at), &column(reference, at), &column(halves, at))?;
-            Some(Apart { output: columns.names.get(at)?.clone(), share })
-        };
-        // Of several alike the first one.
-        let most = |places: std::ops::Range<usize>| {
-            places.filter_map(apart).reduce(|most, other| if other.share > most.share { other } else { most })
-        };
-        match most(0..bound.min(width)) {
-            None => Self::NotTried { why: Untried::NothingMoved },
-            Some(most) if most.share > ALIKE => Self::Differs { most },
-            Some(bound_most) => {
-                Self::Same { most: bound_most, unbound: most(bound..width).filter(|apart| apart.share > ALIKE) }
-            }
+/// Of a reference and a run with a row after each half of its steps; the first `bound` columns are bound.
+fn compared(reference: &[f64], halves: &[f64], columns: &Columns, bound: usize) -> Motion {
+    let width = columns.names.len().max(1);
+    if halves.len() + width != 2 * reference.len() {
+        return Motion::from(PlantError::of("runs of different length"));
+    }
+    let column =
+        |rows: &[f64], column: usize| -> Vec<f64> { rows.iter().skip(column).step_by(width).copied().collect() };
+    let apart = |at: usize| {
+        let share = apart(columns.kind(at), &column(reference, at), &column(halves, at))?;
+        Some(Apart { output: columns.names.get(at)?.clone(), share })
+    };
+    // Of several alike the first one.
+    let most = |places: std::ops::Range<usize>| {
+        places.filter_map(apart).reduce(|most, other| if other.share > most.share { other } else { most })
+    };
+    match most(0..bound.min(width)) {
+        None => Motion::NotTried { why: Untried::NothingMoved },
+        Some(most) if most.share > ALIKE => Motion::Differs { most },
+        Some(bound_most) => {
+            Motion::Same { most: bound_most, unbound: most(bound..width).filter(|apart| apart.share > ALIKE) }
         }
     }
 }
@@ -242,11 +128,11 @@ impl Run<'_> {
             _ => self.inputs.chunks(width).flat_map(|row| row.repeat(2)).collect(),
         };
         match self.again(&half, 2 * self.steps, &inputs) {
-            Ok(halves) => Motion::of(reference, &halves, &Columns::of(self.setup), self.setup.outputs.len()),
+            Ok(halves) => compared(reference, &halves, &Columns::of(self.setup), self.setup.outputs.len()),
             Err(error) if !error.lost && !error.not_started && error.time_s == Some(0.0) => {
                 Motion::NotTried { why: Untried::Refused { reason: error.message } }
             }
-            Err(error) => Motion::failed(error),
+            Err(error) => Motion::from(error),
         }
     }
 
@@ -262,8 +148,8 @@ impl Run<'_> {
         self.slaves.iter().zip(used).for_each(|(slave, used)| slave.prefer_event_mode(used));
         let columns = Columns::of(self.setup);
         match run {
-            Ok(rows) => Motion::of(reference, &with_halves(&rows, &columns), &columns, self.setup.outputs.len()),
-            Err(error) => Motion::failed(error),
+            Ok(rows) => compared(reference, &with_halves(&rows, &columns), &columns, self.setup.outputs.len()),
+            Err(error) => Motion::from(error),
         }
     }
 
@@ -325,7 +211,7 @@ mod tests {
     }
 
     fn of(run: &[f64]) -> Motion {
-        Motion::of(&wholes(&halves(|_| 0.0, 80, 0.0)), run, &columns(), 2)
+        compared(&wholes(&halves(|_| 0.0, 80, 0.0)), run, &columns(), 2)
     }
 
     fn share(motion: &Motion) -> (bool, &str, f64) {
@@ -367,7 +253,7 @@ mod tests {
             let rows = |sign: f64| -> Vec<f64> {
                 (0..=20).flat_map(|n| [at + sign * f64::from(n % 3) * noise, 0.0, 0.0]).collect()
             };
-            Motion::of(&wholes(&rows(1.0)), &rows(-1.0), &columns(), 2)
+            compared(&wholes(&rows(1.0)), &rows(-1.0), &columns(), 2)
         };
         let nothing = Motion::NotTried { why: Untried::NothingMoved };
         // Noise of a joint that is held, in rad; and of one that stands at 2 m in mm.
