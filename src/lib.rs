@@ -23,6 +23,7 @@
 //! |---|---|
 //! | [`cli`] | the commands, thin |
 //! | [`campaign`] | many scans: planned, done in parts anywhere, put together |
+//! | [`strategies`] | many seeds of several strategies side by side, and beside the paper |
 //! | [`scan`] | a whole scan: open, bind, self-test, search, confirm |
 //! | [`report`] | what people and pipelines read |
 //! | [`search`] | strategies over an abstract environment; knows nothing of FMUs or geometry |
@@ -68,6 +69,7 @@ pub mod cli;
 pub mod report;
 pub mod scan;
 pub mod sim;
+pub mod strategies;
 
 pub use fmi_hazard_cell::cell;
 pub use fmi_hazard_criteria as hazard;

@@ -12,7 +12,7 @@ import json
 import math
 import sys
 
-# Mean iterations to the first hazard that the paper reports (its table I, ten seeds), as in src/report/paper.rs.
+# Mean iterations to the first hazard that the paper reports (its table I, ten seeds), as in src/strategies/paper.rs.
 PAPER = {
     "safety-fence": {"random": 37.4, "mcts-dpw": 16.3},
     "sensor-mat": {"random": 203.4, "mcts-dpw": 131.6},

@@ -4,11 +4,11 @@
 use std::error::Error;
 
 use clap::ValueEnum;
-use fmi_hazard::report::paper;
 use fmi_hazard::scan::prepare::prepare;
 use fmi_hazard::scan::{Exhaustive, StrategyName};
 use fmi_hazard::search::exhaustive::Budget;
 use fmi_hazard::sim::expansion::Merge;
+use fmi_hazard::strategies::paper;
 
 use crate::comparison::{Comparison, csv_header, growth_table, table};
 use crate::note;

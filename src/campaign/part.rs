@@ -10,7 +10,7 @@ use super::CampaignError;
 use super::description::{AUTO, EXHAUSTIVE};
 use super::manifest::{Manifest, Part, ScanEntry, Task};
 use crate::cell::find::open;
-use crate::report::moved;
+use crate::scan::moved;
 use crate::scan::portion::portion;
 use crate::scan::prepare::prepare_in;
 use crate::scan::probe::wrong_polarities;

@@ -8,13 +8,12 @@ use super::bench_format::Format;
 use super::exit::{Failure, NO_HAZARD};
 use super::hosting::HostingArguments;
 use super::output::{self, Progress};
-use crate::report::campaign::{CSV_HEADER, Campaign, beside_the_paper};
-use crate::report::paper;
 use crate::scan::StrategyName;
-use crate::scan::campaign::{self, CampaignOptions};
 use crate::scan::prepare::{Prepared, prepare, prepare_in};
 use crate::search::Profile;
 use crate::search::mcts_dpw::Parameters;
+use crate::strategies::table::{CSV_HEADER, Campaign, beside_the_paper};
+use crate::strategies::{self, CampaignOptions, paper};
 
 #[derive(Debug, clap::Args)]
 pub(super) struct Arguments {
@@ -71,7 +70,7 @@ pub(super) fn run(arguments: &Arguments) -> Result<u8, Failure> {
         let tell = |done: usize| {
             progress.lock().unwrap_or_else(PoisonError::into_inner).at(before + done as u64, &cell.cell.name);
         };
-        campaigns.push(campaign::run(cell, &options, &tell)?);
+        campaigns.push(strategies::run(cell, &options, &tell)?);
     }
     progress.lock().unwrap_or_else(PoisonError::into_inner).finish();
     let print = if matches!(arguments.format, Format::Json) { output::json } else { output::result };

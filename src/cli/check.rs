@@ -14,10 +14,11 @@ use crate::cell::find::{Examined, Todo, examine};
 use crate::cell::workcell::{StartArea, Workcell};
 use crate::fmi::number;
 use crate::human::ControlledBy;
-use crate::report::speeds::{SpeedRecord, Speeds};
+use crate::report::speeds::SpeedRecord;
 use crate::report::topview;
 use crate::scan::prepare::prepare_in;
 use crate::scan::probe::{Probe, probe, run_s};
+use crate::scan::speeds::Speeds;
 use crate::scan::{Prepared, picture};
 
 #[derive(Debug, clap::Args)]
@@ -165,11 +166,11 @@ pub(super) fn run(arguments: &Arguments) -> Result<u8, Failure> {
 
 /// Speeds that are not those of the motion, as mistakes of the cell file.
 fn of_speeds(source: &Source, prepared: &Prepared, speeds: &Speeds) -> Option<Box<CellError>> {
-    let problem = |record: &SpeedRecord| {
-        let span = record.named_at(&prepared.cell).unwrap_or(0..0);
+    let problem = |(number, record): (usize, &SpeedRecord)| {
+        let span = speeds.named_at(number, &prepared.cell).unwrap_or(0..0);
         *source.error(span, "named here", record.message(), Some(record.advice()))
     };
-    let mut problems = speeds.records.iter().map(problem);
+    let mut problems = speeds.records.iter().enumerate().map(problem);
     let first = problems.next()?;
     Some(first.and(problems))
 }

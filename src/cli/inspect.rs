@@ -1,16 +1,17 @@
 //! `fmi-hazard inspect`: what an FMU or a system of FMUs is, without loading it; and with options, what it does when it is run.
 
+mod inspection;
 mod running;
 mod self_test;
 
 use std::path::PathBuf;
 
+use self::inspection::{Filter, Inspection, SystemInspection};
 use super::exit::{Failure, NO_HAZARD};
 use super::hosting::HostingArguments;
 use super::output::{self, Format};
 use crate::cell::foreign::ssp;
 use crate::fmi::Fmu;
-use crate::report::inspection::{Filter, Inspection, SystemInspection};
 pub(super) use running::{reported_words, shortened, words};
 
 #[derive(Debug, clap::Args)]

@@ -6,7 +6,6 @@ use percent_encoding::{AsciiSet, CONTROLS, utf8_percent_encode};
 
 use super::exit::Failure;
 use super::output;
-use crate::cell::file::files::plain;
 use crate::cell::workcell::Link;
 use crate::host::Effort;
 use crate::host::isolation::LastWords;
@@ -17,13 +16,14 @@ use crate::report::baseline::Baseline;
 use crate::report::cause::Cause;
 use crate::report::hazard::Hazard;
 use crate::report::model::ScanReport;
-use crate::report::moved;
 use crate::report::page::Replay;
 use crate::report::sarif::{self, CellFile};
 use crate::report::{csv, junit, page, topview, trace};
+use crate::scan::moved;
 use crate::scan::there::Runs;
 use crate::scan::{Prepared, StateChoice, film, picture};
 use crate::sim::simulation::Watched;
+use path_clean::clean;
 
 /// Most hazards for which a picture is drawn and a trace is written.
 const PICTURES: usize = 10;
@@ -230,7 +230,7 @@ fn cell_file(context: &Context<'_>) -> CellFile {
     let links = context.prepared.cell.links.iter().filter(|_| own);
     // A file that it extends is found from its folder.
     let seen = |base: &Path| {
-        let path = plain(&context.path.parent().unwrap_or(Path::new("")).join(base));
+        let path = clean(&context.path.parent().unwrap_or(Path::new("")).join(base));
         uri_of(&path)
     };
     let place = |link: &Link| (link.place.base.as_deref().map(seen), link.place.line);

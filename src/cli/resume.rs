@@ -7,8 +7,9 @@ use serde::{Deserialize, Serialize};
 
 use super::exit::Failure;
 use super::output;
-use crate::report::moved::{found, seen_from};
+use crate::report::recorded::found;
 use crate::scan::Prepared;
+use crate::scan::moved::seen_from;
 use crate::sim::anywhere::ledger::Ledger;
 use crate::sim::journal::Journal;
 

@@ -10,8 +10,8 @@ use crate::cell::file::validate::BASELINE;
 use crate::report::assessment::Assessments;
 use crate::report::baseline::Baseline;
 use crate::report::model::{BeginningSubject, ScanReport, Verdict};
-use crate::report::moved;
 use crate::scan::Prepared;
+use crate::scan::moved;
 use crate::stop::Stop;
 
 /// One run of the command.

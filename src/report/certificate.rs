@@ -4,7 +4,6 @@ use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 use crate::obligations::Obligations;
-use crate::search::residual::Figures;
 
 /// What an exhaustive search covered, and what random search can expect from that. Numbers of sequences are decimal
 /// strings: they do not fit into JSON's numbers.
@@ -96,7 +95,7 @@ pub struct RandomSearch {
 }
 
 /// What the uniformly random sequences of a search say about what is left, each figure with 95 % confidence. Sequences
-/// that a strategy chose are never counted. See [`crate::search::residual`].
+/// that a strategy chose are never counted. See `fmi-hazard-search`, `residual`.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 pub struct Residual {
     /// What the figures hold for.
@@ -132,26 +131,6 @@ pub struct Unlisted {
 
 impl Residual {
     /// What figures are about.
-    pub(crate) const HOLDS_FOR: &'static str = "uniformly random sequences of these actions, horizon and start in this model; \
+    pub const HOLDS_FOR: &'static str = "uniformly random sequences of these actions, horizon and start in this model; \
                                          not how likely a person is hurt";
-
-    /// The record of figures; `listed`: whether any hazard was found.
-    #[must_use]
-    pub(crate) fn new(f: &Figures, listed: bool) -> Self {
-        let unlisted = Unlisted {
-            checked: f.checked,
-            met_others: f.unlisted,
-            probability_below: f.unlisted_below,
-            good_turing_estimate: f.good_turing,
-        };
-        Self {
-            holds_for: Self::HOLDS_FOR.to_owned(),
-            random_sequences: f.sequences,
-            hazardous: f.hazardous,
-            not_evaluated: f.not_evaluated,
-            hazardous_share_interval: [f.share.low, f.share.high],
-            hazardous_share_below: f.share_below,
-            unlisted: listed.then_some(unlisted),
-        }
-    }
 }

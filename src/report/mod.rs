@@ -5,7 +5,6 @@
 //! - [`certificate`]: what a search of all sequences came to
 //! - [`begin`]: where and when a person begins
 //! - [`recorded`]: the same, read back
-//! - [`moved`]: its paths, so that it can be moved
 //! - [`looks`]: what a scan looks for, and whether that is as much as an earlier one did
 //! - [`narrower`]: why it is not
 //! - [`difference`]: two scans side by side
@@ -20,7 +19,6 @@
 //! - [`does`]: what people do in an action, in words
 //! - [`forces`], [`formula`]: both forces of a hazard; what happens at a contact and how its force comes about
 //! - [`advice`]: changes of a cell, and what came of them
-//! - [`inspection`]: what an FMU is, and what of it a scan could use
 //! - [`verified`]: what became of known hazards
 //! - [`trace`]: what an FMU gets during a hazard
 //! - `mcap`, `foxglove`: a hazard as a recording for Foxglove and PlotJuggler (feature `mcap`)
@@ -35,7 +33,6 @@
 //! - [`topview`]: an SVG of the cell from above with one hazard in it
 //! - [`anywhere`]: what is known of people who come from anywhere
 //! - [`whole`], [`floorplan`]: the floor for these, as data and as an SVG
-//! - [`campaign`]: many seeds of several strategies side by side
 //! - [`survey`], [`survey_pictures`], [`survey_page`]: many scans together, as data, as SVG and as a page
 
 pub mod advice;
@@ -44,9 +41,9 @@ pub(crate) mod assessment;
 pub(crate) mod assumptions;
 pub(crate) mod baseline;
 pub mod begin;
-pub(crate) mod campaign;
 pub mod cause;
 pub mod certificate;
+mod columns;
 pub(crate) mod covered;
 pub(crate) mod criteria;
 pub(crate) mod csv;
@@ -64,16 +61,13 @@ pub(crate) mod foxglove;
 pub mod hazard;
 pub(crate) mod headline;
 mod immovable;
-pub(crate) mod inspection;
 pub(crate) mod judged;
 pub(crate) mod junit;
 pub(crate) mod looks;
 pub(crate) mod mcap;
 pub mod model;
-pub(crate) mod moved;
 pub(crate) mod narrower;
 pub mod page;
-pub mod paper;
 mod paragraph;
 pub(crate) mod people;
 pub mod recorded;
@@ -93,23 +87,4 @@ pub(crate) mod whole;
 pub(crate) mod words;
 pub(crate) mod worked;
 
-/// Rows under a header in aligned columns, for a terminal or as Markdown.
-#[must_use]
-pub fn columns(header: &[&str], rows: &[Vec<String>], markdown: bool) -> String {
-    let width = |c: usize| rows.iter().map(|r| r[c].len()).max().unwrap_or(0).max(header[c].len());
-    let widths: Vec<usize> = (0..header.len()).map(width).collect();
-    let line = |cells: Vec<&str>| {
-        let padded: Vec<String> = cells.iter().zip(&widths).map(|(c, w)| format!("{c:<w$}")).collect();
-        match markdown {
-            true => format!("| {} |\n", padded.join(" | ")),
-            false => format!(" {}\n", padded.join("  ").trim_end()),
-        }
-    };
-    let mut out = line(header.to_vec());
-    if markdown {
-        let dashes: Vec<String> = widths.iter().map(|w| "-".repeat(*w)).collect();
-        out += &line(dashes.iter().map(String::as_str).collect());
-    }
-    rows.iter().for_each(|r| out += &line(r.iter().map(String::as_str).collect()));
-    out
-}
+pub use columns::columns;

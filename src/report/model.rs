@@ -130,18 +130,6 @@ pub struct Subject {
 }
 
 impl Subject {
-    /// What acceptances in a cell file are bound to: the SHA-256 of its FMU, of several of them that of all of theirs.
-    #[must_use]
-    pub(crate) fn fmu_digest(&self) -> String {
-        match &self.fmus[..] {
-            [only] => only.sha256.clone(),
-            all => {
-                let lines = all.iter().map(|fmu| format!("{} {}\n", fmu.unit, fmu.sha256));
-                crate::cell::sha256(lines.collect::<String>().as_bytes())
-            }
-        }
-    }
-
     /// Name of the cell, and which of its beginnings it is if there are several.
     #[must_use]
     pub(crate) fn title(&self) -> String {

@@ -3,7 +3,6 @@
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
-use crate::cell::Workcell;
 use crate::human::{Ability, Anthropometry, Body, Radii};
 use crate::standards::anthropometry::{Percentile, Sex};
 
@@ -75,20 +74,5 @@ impl SecondRecord {
         let figures = |xy_m: [f64; 2], heading_deg: f64| [xy_m[0], xy_m[1], heading_deg].map(f64::to_bits);
         figures(*xy_m, *heading_deg) == figures(other.xy_m, other.heading_deg)
             && (also, run_m_s, held_m, body) == (&other.also, &other.run_m_s, &other.held_m, &other.body)
-    }
-
-    /// That of a cell, if it has one.
-    #[must_use]
-    pub(crate) fn of(cell: &Workcell) -> Option<Self> {
-        let second = cell.second.as_ref()?;
-        Some(Self {
-            names: second.names.clone(),
-            xy_m: second.start.xy_m(),
-            heading_deg: second.start.heading_deg(),
-            also: second.repertoire.abilities().to_vec(),
-            run_m_s: second.repertoire.run_m_s(),
-            held_m: Some(second.held_m).filter(|held_m| *held_m > 0.0),
-            body: Some((&second.body).into()),
-        })
     }
 }

@@ -2,6 +2,7 @@
 
 use std::path::{Path, PathBuf};
 
+use path_clean::clean;
 use serde::Deserialize;
 
 use super::anywhere::ANYWHERE;
@@ -10,7 +11,6 @@ use super::cause::{Cause, CauseAdvice};
 use super::hazard::Hazard;
 use super::looks::Looks;
 use super::model::{BeginningSubject, FileSubject, FmuSubject, SCHEMA_VERSION, Verdict};
-use super::moved::found;
 use super::narrower::Narrower;
 use crate::obligations::Obligations;
 
@@ -227,4 +227,14 @@ impl Recorded {
         // One of an earlier version does not say what it rests on.
         is_complete(self.verdict, self.strategy(), certified) && self.obligations.clean().is_some()
     }
+}
+
+/// What a result in `folder` names with `path`. Results of earlier versions name it as it was given, from the folder in which
+/// the scan was started.
+#[must_use]
+pub(crate) fn found(path: &Path, folder: &Path) -> PathBuf {
+    let beside = clean(&folder.join(path));
+    // Where `..` goes through a link, the system knows better.
+    let ways = [beside.clone(), folder.join(path), path.to_owned()];
+    ways.into_iter().find(|way| way.exists()).unwrap_or(beside)
 }

@@ -3,7 +3,6 @@
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
-use crate::cell::Control;
 use crate::human::action::ACTION_S;
 use crate::human::{ControlKind, ControlledBy, Presses};
 
@@ -38,13 +37,6 @@ pub struct Working {
     /// Of a door: whether it is opened, or closed.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub opens: Option<bool>,
-}
-
-impl From<&Control> for ControlRecord {
-    fn from(control: &Control) -> Self {
-        let pressed_steps = (control.kind == ControlKind::Momentary).then_some(control.steps);
-        Self { name: control.name.clone(), by: control.by, kind: control.kind, pressed_steps, door: control.door }
-    }
 }
 
 /// Who works a control that is out of reach.
@@ -88,16 +80,20 @@ impl Working {
 
     /// What is worked in a sequence, in order, of which this is worked in each action; by either of two people, or by the only one.
     #[must_use]
-    pub(crate) fn all(worked: impl IntoIterator<Item = Presses>, controls: &[Control], by_either: bool) -> Vec<Self> {
+    pub(crate) fn all(
+        worked: impl IntoIterator<Item = Presses>,
+        controls: &[ControlRecord],
+        by_either: bool,
+    ) -> Vec<Self> {
         let (mut all, mut open) = (Vec::new(), Presses::NONE);
         for (number, presses) in worked.into_iter().enumerate() {
             #[expect(clippy::cast_precision_loss, reason = "a few actions")]
             let at_s = number as f64 * ACTION_S;
             open = open.either(presses);
             let worked = presses.numbers().filter_map(|number| Some((number, controls.get(number)?)));
-            let opens = |number, control: &Control| control.door.then(|| open.has(number));
+            let opens = |number, control: &ControlRecord| control.door.then(|| open.has(number));
             all.extend(worked.map(|(n, control)| Self {
-                control: control.into(),
+                control: control.clone(),
                 at_s,
                 by_either,
                 opens: opens(n, control),
@@ -136,7 +132,7 @@ mod tests {
     #[test]
     fn what_is_worked_is_told_with_its_times() {
         let control =
-            |name: &str, by, kind| Control { name: name.to_owned(), place: None, by, kind, steps: 10, door: false };
+            |name: &str, by, kind| ControlRecord { name: name.to_owned(), by, kind, pressed_steps: None, door: false };
         let controls = [
             control("reset", ControlledBy::Person, ControlKind::Momentary),
             control("mode", ControlledBy::Anyone, ControlKind::Toggled),
@@ -148,7 +144,7 @@ mod tests {
             "the person presses reset at 0.20 s, a colleague switches mode at 0.20 s, 0.60 s and 0.80 s"
         );
         assert_eq!(worked_words(&[]), "");
-        let door = Control { door: true, ..control("door", ControlledBy::Person, ControlKind::Toggled) };
+        let door = ControlRecord { door: true, ..control("door", ControlledBy::Person, ControlKind::Toggled) };
         let door = [door, controls[0].clone()];
         let [opens, reset] = [0, 1].map(Presses::one);
         let worked = Working::all([opens, reset, opens, opens], &door, false);

@@ -45,7 +45,7 @@ use crate::obligations::verdict::Ended;
 use crate::obligations::{Need, Obligations, Point, Verdict};
 use crate::report::anywhere::{Anywhere, Ground, Place, Spent, Watched};
 use crate::report::model::SCHEMA_VERSION;
-use crate::report::speeds::Speeds;
+use crate::scan::speeds::Speeds;
 use crate::search::tracks::explore;
 use crate::sim::anywhere::instants::Part;
 use crate::sim::anywhere::ledger::Ledger;

@@ -4,6 +4,7 @@
 use std::sync::Arc;
 
 use super::prepare::Prepared;
+use super::settings;
 use crate::hazard::{Finding, Group};
 use crate::host::{Hosted, PlantError, Policy};
 use crate::human::Action;
@@ -47,7 +48,7 @@ fn worked(prepared: &Prepared, plant: &mut Hosted, actions: &[Action]) -> Vec<Wo
     let (cell, binding) = (Arc::clone(&prepared.cell), Arc::clone(&prepared.binding));
     let watched = Simulation::new(cell, binding, plant, options).and_then(|mut s| s.watch(actions, &[]));
     let worked = watched.map(|watched| watched.worked).unwrap_or_default();
-    Working::all(worked, &prepared.cell.controls, prepared.cell.second.is_some())
+    Working::all(worked, &settings::controls(&prepared.cell), prepared.cell.second.is_some())
 }
 
 /// The same where nothing follows the FMU.
@@ -63,7 +64,7 @@ pub(super) fn worked_alone(prepared: &Prepared, actions: &[Action]) -> Vec<Worki
         places = walks.ends();
         world.worked_by(&walks.starts(), action).presses
     });
-    Working::all(presses, &prepared.cell.controls, prepared.cell.second.is_some())
+    Working::all(presses, &settings::controls(&prepared.cell), prepared.cell.second.is_some())
 }
 
 /// Whether a fresh instance without any restore gives the same contact to the last bit, and what goes with it; nothing if there was no time to see, or the FMU does not begin any more: why is put into

@@ -2,12 +2,12 @@
 
 use super::film::contact_frame;
 use super::prepare::Prepared;
+use super::settings;
 use crate::cell::Zone;
 use crate::geometry::polygon::{contains, distance_to_edge};
 use crate::human::action::ACTION_S;
 use crate::report::explanation::{Explanation, Outside, Reports, Robot};
 use crate::report::hazard::Hazard;
-use crate::report::people::SecondRecord;
 use crate::sim::simulation::Watched;
 
 /// The explanation of `hazard`, whose sequence was watched, without remedies; nothing if the cell has no such link.
@@ -34,7 +34,7 @@ pub(crate) fn explain(prepared: &Prepared, hazard: &Hazard, watched: &Watched) -
     Some(Explanation {
         hazard: hazard.clone(),
         start: (cell.start.xy_m(), cell.start.heading_deg()),
-        second: SecondRecord::of(cell),
+        second: settings::second(cell),
         begins_s: cell.begins_s(),
         action_s: ACTION_S,
         sensors: cell.sensors.iter().enumerate().map(reports).collect(),

@@ -4,6 +4,7 @@ mod fields;
 mod keys;
 
 use self::fields::Fields;
+use super::accepted_for::fmu_digest;
 use super::footing::{Doubt, not_repeatable};
 use super::options::{Exhaustive, Method, ScanOptions};
 use super::prepare::Prepared;
@@ -11,7 +12,7 @@ use super::searched::Searched;
 use crate::cell::workcell::Robot;
 use crate::obligations::{Assumption, Engine, Need, Point, Reply};
 use crate::report::figures::grouped;
-use crate::report::speeds::Speeds;
+use crate::scan::speeds::Speeds;
 use crate::sim::coverage::{NeverMet, RobotCoverage};
 
 /// A search that has ended.
@@ -162,7 +163,7 @@ impl<'a> FromStart<'a> {
         let Some(signal) = &self.fields.travel else { return Reply::NotAsked("it is stated, or does not count") };
         let tried = format!("tried out by `{signal}` at moments 0.1 s apart, with nobody there");
         let cell = &self.prepared.cell;
-        let fmu = self.prepared.subject.fmu_digest();
+        let fmu = fmu_digest(&self.prepared.subject);
         Reply::Points(vec![Point::tried(&Assumption::TravelAfterContact, tried, &cell.accepted, &fmu)])
     }
 

@@ -16,7 +16,6 @@
 //! - `footing`: how states are brought back, and what comes next when that is found to be wrong
 //! - [`causes`]: which hazards belong together
 //! - [`minimise`]: the shortest sequence of a hazard, by trying
-//! - [`campaign`]: many seeds in parallel, to the first hazard each
 //! - [`residual`]: what the random sequences of a search say about hazards that are left
 //! - `seeds`: many seeds of several strategies on all cores, for both
 //! - [`picture`]: the top view of one hazard
@@ -32,11 +31,11 @@
 //! - [`advise`]: such changes for the causes of a scan
 //! - [`anywhere`](mod@anywhere): people who come from where no sensor sees them, on any walk and at any moment
 
+mod accepted_for;
 pub mod advise;
 pub mod anywhere;
 mod arms;
 mod attempts;
-pub(crate) mod campaign;
 pub(crate) mod causes;
 mod confirm;
 mod contact_stop;
@@ -49,6 +48,7 @@ mod footing;
 mod from_start;
 mod hosting;
 pub(crate) mod minimise;
+pub(crate) mod moved;
 pub mod options;
 mod outline;
 pub(crate) mod picture;
@@ -64,6 +64,7 @@ mod searched;
 pub mod seeds;
 mod settings;
 mod share;
+pub mod speeds;
 mod stop_time;
 pub(crate) mod there;
 mod trial;

@@ -1,5 +1,6 @@
 //! From a path to a cell that can be simulated: open, bind, load, self-test.
 
+use super::accepted_for::fmu_digest;
 use std::path::Path;
 use std::sync::Arc;
 use std::time::Duration;
@@ -160,7 +161,7 @@ pub(crate) fn prepare_unplaced(
         fmus: subjects,
         couplings,
     };
-    accepted_for(cell.file(), &cell_source, &subject.fmu_digest())?;
+    accepted_for(cell.file(), &cell_source, &fmu_digest(&subject))?;
     let prepared = Prepared {
         cell,
         text,
@@ -298,7 +299,7 @@ impl Prepared {
         let cell = cell.beginning_at(beginning);
         let Fitted { cell, binding, setup, free_start } =
             fit(cell, &found, &self.names, &self.fmus, self.wiring.as_ref())?;
-        accepted_for(cell.file(), &found, &self.subject.fmu_digest())?;
+        accepted_for(cell.file(), &found, &fmu_digest(&self.subject))?;
         free_start?;
         let source = self.source.with_setup(setup);
         Self {

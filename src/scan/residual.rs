@@ -1,6 +1,7 @@
 //! What the random sequences of a search met, for the figures of [`crate::search::residual`].
 
 use crate::hazard::{Finding, Groups, Identity};
+use crate::report::certificate::{Residual, Unlisted};
 use crate::search::residual::{Figures, Met, RandomSample};
 use crate::search::{End, Iteration};
 
@@ -50,5 +51,25 @@ impl Watch {
     #[must_use]
     pub fn figures(&self) -> Option<Figures> {
         self.sample.figures()
+    }
+}
+
+/// The record of figures; `listed`: whether any hazard was found.
+#[must_use]
+pub fn record(f: &Figures, listed: bool) -> Residual {
+    let unlisted = Unlisted {
+        checked: f.checked,
+        met_others: f.unlisted,
+        probability_below: f.unlisted_below,
+        good_turing_estimate: f.good_turing,
+    };
+    Residual {
+        holds_for: Residual::HOLDS_FOR.to_owned(),
+        random_sequences: f.sequences,
+        hazardous: f.hazardous,
+        not_evaluated: f.not_evaluated,
+        hazardous_share_interval: [f.share.low, f.share.high],
+        hazardous_share_below: f.share_below,
+        unlisted: listed.then_some(unlisted),
     }
 }

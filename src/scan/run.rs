@@ -15,10 +15,9 @@ use crate::host::Effort;
 use crate::host::selftest::Rung;
 use crate::obligations::verdict::Ended;
 use crate::obligations::{Obligations, Verdict};
-use crate::report::certificate::Residual;
 use crate::report::headline::{self};
 use crate::report::model::{FaultRecord, Headline, SCHEMA_VERSION, STANDARD_EDITION, ScanReport, Settings, Spent};
-use crate::report::speeds::Speeds;
+use crate::scan::speeds::Speeds;
 use crate::sim::journal::Journal;
 use crate::standards::provenance::Table;
 use crate::standards::tables;
@@ -133,7 +132,7 @@ pub(super) fn scan_alone(
         headline: Headline::default(),
         subject: prepared.subject.clone(),
         settings: settings(prepared, options, name),
-        residual: figures.map(|f| Residual::new(&f, !hazards.is_empty())),
+        residual: figures.map(|f| super::residual::record(&f, !hazards.is_empty())),
         causes,
         hazards,
         certificate,

@@ -1,11 +1,13 @@
 //! What the settings in a result say of a cell, however it is searched.
 
-use crate::cell::Workcell;
+use crate::cell::{Control, Workcell};
 use crate::hazard::criterion::separation::Stop;
+use crate::human::ControlKind;
 use crate::human::action::ACTION_S;
 use crate::report::criteria::{ClampingRecord, CriteriaRecord, SeparationTerms, StatedStop};
 use crate::report::model::Settings;
 use crate::report::people::SecondRecord;
+use crate::report::worked::ControlRecord;
 
 /// The settings of a cell, with nothing of a search in them but the cell's own seed.
 pub(super) fn of_cell(cell: &Workcell) -> Settings {
@@ -25,8 +27,8 @@ pub(super) fn of_cell(cell: &Workcell) -> Settings {
         held_m: cell.holds_m(),
         also: cell.repertoire.abilities().to_vec(),
         run_m_s: cell.repertoire.run_m_s(),
-        second: SecondRecord::of(cell),
-        controls: cell.controls.iter().map(Into::into).collect(),
+        second: second(cell),
+        controls: controls(cell),
         until_s: None,
         presses: None,
         begins: None,
@@ -35,6 +37,32 @@ pub(super) fn of_cell(cell: &Workcell) -> Settings {
         floor_m: None,
         start_region_m: None,
     }
+}
+
+/// The second person, if there is one.
+pub(super) fn second(cell: &Workcell) -> Option<SecondRecord> {
+    let second = cell.second.as_ref()?;
+    Some(SecondRecord {
+        names: second.names.clone(),
+        xy_m: second.start.xy_m(),
+        heading_deg: second.start.heading_deg(),
+        also: second.repertoire.abilities().to_vec(),
+        run_m_s: second.repertoire.run_m_s(),
+        held_m: Some(second.held_m).filter(|held_m| *held_m > 0.0),
+        body: Some((&second.body).into()),
+    })
+}
+
+/// The controls.
+pub(super) fn controls(cell: &Workcell) -> Vec<ControlRecord> {
+    let one = |Control { name, by, kind, steps, door, place: _ }: &Control| ControlRecord {
+        name: name.clone(),
+        by: *by,
+        kind: *kind,
+        pressed_steps: (*kind == ControlKind::Momentary).then_some(*steps),
+        door: *door,
+    };
+    cell.controls.iter().map(one).collect()
 }
 
 /// What counts as unsafe, where that is more or other than the transient force.

@@ -8,7 +8,7 @@ use std::sync::Arc;
 use super::hosting::StateChoice;
 use super::prepare::Prepared;
 use super::prepare_error::PrepareError;
-use super::settings::criteria;
+use super::settings::{self, criteria};
 use crate::cell::{Workcell, Zone};
 use crate::hazard::{Class, Finding, STANDSTILL_M_S};
 use crate::host::PlantError;
@@ -17,7 +17,6 @@ use crate::report::begin::Begin;
 use crate::report::hazard::Hazard;
 use crate::report::looks::Looks;
 use crate::report::narrower::Narrower;
-use crate::report::people::SecondRecord;
 use crate::report::recorded::Recorded;
 use crate::report::verified::{Outcome, Verified};
 use crate::sim::replay::replay;
@@ -214,8 +213,8 @@ fn looks(cell: &Workcell) -> Looks {
         held_m: cell.holds_m(),
         also: cell.repertoire.abilities().to_vec(),
         run_m_s: cell.repertoire.run_m_s(),
-        second: SecondRecord::of(cell),
-        controls: cell.controls.iter().map(Into::into).collect(),
+        second: settings::second(cell),
+        controls: settings::controls(cell),
         actions_per_sequence: cell.search.actions,
         contact_check_interval_s: cell.step_s,
         reach_tolerance_m: cell.search.reach_tolerance_m,

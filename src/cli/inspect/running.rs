@@ -23,9 +23,9 @@ use crate::host::isolation::{Examination, Isolated, Keeping, Launcher, Unpacked,
 use crate::host::port::PortKind;
 use crate::host::selftest::{SelfTest, Stage};
 use crate::host::{Plant, PlantError, SystemSetup};
-use crate::report::speeds::Speeds;
 use crate::scan::prepare::prepare_in;
 use crate::scan::probe::{Effect, Moment, Prober, RUN_S, Reaction, Reported, Run, probe_inputs};
+use crate::scan::speeds::Speeds;
 use crate::scan::{Hosting, PrepareError};
 
 /// What may help an FMU that fails from the start.

@@ -1,6 +1,7 @@
 //! Where people may come and go again and again: the few behaviours of an FMU in place of its many histories, which they stand for if
 //! it remembers nothing that does not show in time. That is tried out by walks, and is for the user to accept.
 
+use super::super::accepted_for::fmu_digest;
 use std::ops::ControlFlow;
 use std::sync::Arc;
 use std::time::Instant;
@@ -228,7 +229,7 @@ impl Looking<'_> {
         }
         let Some(histories) = instants.reduced(NEARLY, &stop) else { return Ok(Err(Refused::Stopped)) };
         let motion = instants.motion().clone();
-        let (accepted, fmu) = (&self.prepared.cell.accepted, self.prepared.subject.fmu_digest());
+        let (accepted, fmu) = (&self.prepared.cell.accepted, fmu_digest(&self.prepared.subject));
         let tried: Vec<(Assumption, String)> = [(stands.assumption, stands.tried)].into_iter().chain(alike).collect();
         let is_accepted = tried.iter().all(|(assumption, _)| self.accepts(|one| one.covers(assumption)));
         let tried = tried.iter().map(|(assumption, tried)| Point::tried(assumption, tried, accepted, &fmu)).collect();

@@ -1,10 +1,11 @@
 //! What a scan from anywhere knows of everything that its answer needs.
 
+use super::super::accepted_for::fmu_digest;
 use super::Looking;
 use super::fields::{Fields, options};
 use crate::obligations::{Assumption, Engine, Need, Point, Reply};
 use crate::report::figures::grouped;
-use crate::report::speeds::Speeds;
+use crate::scan::speeds::Speeds;
 
 /// A search that has ended.
 pub(super) struct FromAnywhere<'a> {
@@ -130,7 +131,7 @@ impl<'a> FromAnywhere<'a> {
             more => format!("with {more} presses at any moments"),
         };
         let prepared = self.looking.prepared;
-        let (accepted, fmu) = (&prepared.cell.accepted, prepared.subject.fmu_digest());
+        let (accepted, fmu) = (&prepared.cell.accepted, fmu_digest(&prepared.subject));
         Reply::Points(vec![Point::tried(&Assumption::Presses { at_most: presses }, tried, accepted, &fmu)])
     }
 

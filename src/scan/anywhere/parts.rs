@@ -1,5 +1,6 @@
 //! Robots that heed different sensors are looked at one after the other, each with the sensors that it heeds: how they are told apart.
 
+use super::super::accepted_for::fmu_digest;
 use super::heeded::Heeded;
 use super::moments::{MOST, Moments, Told};
 use super::trials::{Kind, Trial};
@@ -16,7 +17,7 @@ use crate::sim::anywhere::instants::Part;
 impl Looking<'_> {
     /// Something was tried out.
     pub(super) fn tried(&mut self, need: Need, assumption: &Assumption, tried: &str) {
-        let (cell, fmu) = (&self.prepared.cell, self.prepared.subject.fmu_digest());
+        let (cell, fmu) = (&self.prepared.cell, fmu_digest(&self.prepared.subject));
         let point = Point::tried(assumption, tried, &cell.accepted, &fmu);
         self.say(need, point);
     }

@@ -1,5 +1,6 @@
 //! Files that a cell file names: each is read once, and remembered with its hash, so that results can say what they are of.
 
+use path_clean::clean;
 use std::cell::RefCell;
 use std::path::{Component, Path, PathBuf};
 use std::sync::Arc;
@@ -14,7 +15,7 @@ pub(super) struct Files(RefCell<Vec<(GeometryFile, Arc<[u8]>)>>);
 impl Files {
     /// The content of `path`, relative to `folder`.
     pub(super) fn read(&self, folder: &Path, path: &Path) -> std::io::Result<Arc<[u8]>> {
-        let path = plain(path);
+        let path = clean(path);
         if let Some((_, bytes)) = self.0.borrow().iter().find(|(file, _)| file.path == path) {
             return Ok(Arc::clone(bytes));
         }
@@ -38,28 +39,12 @@ impl Files {
     }
 }
 
-/// `path` without `.` and without detours by `..`.
-#[must_use]
-pub fn plain(path: &Path) -> PathBuf {
-    let mut plain = PathBuf::new();
-    for component in path.components() {
-        match component {
-            Component::CurDir => {}
-            Component::ParentDir if plain.file_name().is_some() => {
-                plain.pop();
-            }
-            other => plain.push(other),
-        }
-    }
-    plain
-}
-
 /// `path` as a file in `folder` names it, by way of what both are in; nothing if that is the root alone.
 #[must_use]
 pub(crate) fn relative(path: &Path, folder: &Path) -> Option<PathBuf> {
     let absolute = |path: &Path| {
         let path = if path.as_os_str().is_empty() { Path::new(".") } else { path };
-        plain(&std::path::absolute(path).unwrap_or_else(|_| path.to_owned()))
+        clean(&std::path::absolute(path).unwrap_or_else(|_| path.to_owned()))
     };
     let (path, folder) = (absolute(path), absolute(folder));
     let shared = path.components().zip(folder.components()).take_while(|(a, b)| a == b).count();
@@ -73,20 +58,13 @@ pub(crate) fn relative(path: &Path, folder: &Path) -> Option<PathBuf> {
 /// The same as text; absolute where it cannot be told from there.
 #[must_use]
 pub fn named_from(path: &Path, folder: &Path) -> String {
-    let absolute = || plain(&std::path::absolute(path).unwrap_or_else(|_| path.to_owned()));
+    let absolute = || clean(&std::path::absolute(path).unwrap_or_else(|_| path.to_owned()));
     relative(path, folder).unwrap_or_else(absolute).display().to_string()
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
-
-    #[test]
-    fn detours_are_left_out() {
-        for (path, expected) in [("a/./b", "a/b"), ("a/../b", "b"), ("../a", "../a"), ("a/../../b", "../b")] {
-            assert_eq!(plain(Path::new(path)), Path::new(expected), "{path}");
-        }
-    }
 
     #[test]
     fn a_file_is_read_once_and_hashed() {

@@ -11,10 +11,10 @@ use serde::Deserialize;
 use toml::Spanned;
 use toml::de::{DeArray, DeString, DeTable, DeValue};
 
-use super::files::plain;
 use super::format::CellFile;
 use crate::cell::CellError;
 use crate::cell::error::{Source, nearest};
+use path_clean::clean;
 
 /// What the `toml` crate complains about, or why files cannot be laid over each other.
 pub(super) struct Slip {
@@ -355,5 +355,5 @@ fn move_packages(table: &mut DeTable<'_>, folder: &Path) {
 }
 
 fn moved(named: &mut DeString<'_>, folder: &Path) {
-    *named = Cow::Owned(plain(&folder.join(named.as_ref())).display().to_string());
+    *named = Cow::Owned(clean(&folder.join(named.as_ref())).display().to_string());
 }

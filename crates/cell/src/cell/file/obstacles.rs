@@ -7,7 +7,6 @@ use std::path::Path;
 
 use super::checker::{Checker, pose};
 use super::described::upright;
-use super::files::plain;
 use super::format::{CellFile, ObstacleTable, PoseTable, StaticMeshTable, UpAxis};
 use crate::cell::CellError;
 use crate::cell::foreign::mesh::{Mesh, ending};
@@ -19,6 +18,7 @@ use crate::geometry::roll_pitch_yaw;
 use crate::geometry::surface::{Flaw, Surface, Triangles};
 use crate::geometry::{Cuboid, Vec3};
 use crate::human::ControlKind;
+use path_clean::clean;
 
 type Result<T> = std::result::Result<T, Box<CellError>>;
 
@@ -184,7 +184,7 @@ impl Checker<'_> {
     /// Parts of a mesh file in the world, m, with what they are called.
     fn parts(&self, table: &StaticMeshTable) -> Result<Vec<(String, Triangles)>> {
         let span = table.file.span();
-        let path = plain(table.file.get_ref().as_ref());
+        let path = clean(table.file.get_ref());
         let is_gltf = ["gltf", "glb"].contains(&ending(&path).as_str());
         let metres_per_unit = match table.metres_per_unit {
             Some(told) => told,
@@ -230,7 +230,7 @@ impl Checker<'_> {
         if !is_gltf {
             return Ok(vec![(String::new(), mesh::read(path, &bytes).map_err(named)?)]);
         }
-        let beside = |uri: &str| Ok(read(&plain(&path.with_file_name(uri)))?.to_vec());
+        let beside = |uri: &str| Ok(read(&clean(&path.with_file_name(uri)))?.to_vec());
         gltf::read(&bytes, &beside).map_err(named)
     }
 }

@@ -7,7 +7,6 @@ use toml::Spanned;
 
 use super::checker::{Checker, pose};
 use super::described::{Described, Shown, upright};
-use super::files::plain;
 use super::format::{CapsuleTable, CellFile, FrameTable, JointTable, LinkTable, MeshTable, RobotTable};
 use super::inertias::Places;
 use crate::cell::CellError;
@@ -18,6 +17,7 @@ use crate::geometry::kinematics::{Joint, KinematicTree, Motion};
 use crate::geometry::surface::{Flaw, Triangles};
 use crate::geometry::{Capsule, Hull, Mesh, Pose, Solid, Surface, Vec3};
 use crate::hazard::criterion::pressure::LinkContact;
+use path_clean::clean;
 
 /// Most triangles of a mesh that is taken exactly: arm searches ask for distances from it all the time, and reports carry
 /// it.
@@ -316,7 +316,7 @@ impl Checker<'_> {
     fn mesh(&self, mesh: &MeshTable) -> Result<Solid, Box<CellError>> {
         let span = mesh.file.span();
         self.positive(mesh.metres_per_unit, &span, "metres_per_unit")?;
-        let read = self.mesh_file(&plain(mesh.file.get_ref().as_ref())).map_err(|message| {
+        let read = self.mesh_file(&clean(mesh.file.get_ref())).map_err(|message| {
             let help = "the path is relative to the cell file; STL and OBJ are read".to_owned();
             self.source.error(span.clone(), "named here", message, Some(help))
         })?;

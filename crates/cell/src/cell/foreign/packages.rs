@@ -70,7 +70,7 @@ impl Packages {
             return if there(package) { Ok(remember(package)) } else { Err(NotFound { looked }) };
         }
         let description = std::path::absolute(folder.join(urdf)).unwrap_or_else(|_| folder.join(urdf));
-        let description = crate::cell::file::files::plain(&description);
+        let description = path_clean::clean(&description);
         for (height, above) in description.ancestors().skip(1).enumerate() {
             let found = candidates(above, name, height < NEIGHBOURS).into_iter().find(|package| there(package));
             if let Some(package) = found {

@@ -103,7 +103,7 @@ pub fn open(path: &Path) -> Result<System, OpenError> {
 
 /// A path inside a system, if it stays there.
 fn inside(path: &str) -> Option<PathBuf> {
-    let plain = crate::cell::file::files::plain(Path::new(path));
+    let plain = path_clean::clean(Path::new(path));
     let stays = !plain.is_absolute() && !plain.starts_with("..") && !path.contains("://");
     stays.then_some(plain)
 }

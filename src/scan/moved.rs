@@ -1,10 +1,10 @@
 //! Paths in results. They are relative to the folder of the result where that is possible, so that a result may be moved
 //! together with what it is of; and what they name is found again.
 
-use std::path::{Path, PathBuf};
+use std::path::Path;
 
-use super::model::{ScanReport, Subject};
-use crate::cell::file::files::{named_from, plain};
+use crate::cell::file::files::named_from;
+use crate::report::model::{ScanReport, Subject};
 
 /// `path` as a file in `folder` names it, so that it is found from there: without going through links if that is enough.
 #[must_use]
@@ -38,19 +38,10 @@ pub(crate) fn relative(report: &ScanReport, folder: &Path) -> ScanReport {
     ScanReport { subject, ..report.clone() }
 }
 
-/// What a result in `folder` names with `path`. Results of earlier versions name it as it was given, from the folder in which
-/// the scan was started.
-#[must_use]
-pub(crate) fn found(path: &Path, folder: &Path) -> PathBuf {
-    let beside = plain(&folder.join(path));
-    // Where `..` goes through a link, the system knows better.
-    let ways = [beside.clone(), folder.join(path), path.to_owned()];
-    ways.into_iter().find(|way| way.exists()).unwrap_or(beside)
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::report::recorded::found;
 
     #[test]
     fn a_path_is_seen_from_the_result_and_found_again() {

@@ -241,5 +241,5 @@ pub(crate) fn beside_the_paper(campaigns: &[Campaign], markdown: bool) -> String
             ]);
         }
     }
-    super::columns(&header, &rows, markdown)
+    crate::report::columns(&header, &rows, markdown)
 }

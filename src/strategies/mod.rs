@@ -1,10 +1,13 @@
 //! Many seeds of several strategies, each until its first hazard, on all cores; the result does not depend on how many.
 
-use super::options::{ScanError, StrategyName};
-use super::prepare::Prepared;
-use super::seeds::{self, SeedRuns};
+pub mod paper;
+pub(crate) mod table;
+
+use self::table::Campaign;
 use crate::host::Hosted;
-use crate::report::campaign::Campaign;
+use crate::scan::options::{ScanError, StrategyName};
+use crate::scan::prepare::Prepared;
+use crate::scan::seeds::{self, SeedRuns};
 use crate::search::Rng;
 use crate::search::mcts_dpw::Parameters;
 use crate::search::statistics::Runs;
