@@ -76,6 +76,7 @@ pub use fmi_hazard_criteria as hazard;
 pub use fmi_hazard_examples as examples;
 pub use fmi_hazard_human::{geometry, human, standards};
 pub use fmi_hazard_outcome as obligations;
+pub use fmi_hazard_record as record;
 pub use fmi_hazard_search as search;
 pub use fmi_hazard_stop as stop;
 pub use fmu_host::{fmi, host};

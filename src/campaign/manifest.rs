@@ -10,8 +10,8 @@ use super::CampaignError;
 use super::description::Search;
 use super::values::Values;
 use crate::cell::find::OpenedCell;
-use crate::report::begin::Begin;
-use crate::report::model::FileSubject;
+use crate::record::begin::Begin;
+use crate::record::model::FileSubject;
 
 /// Name of the plan in the folder of the campaign.
 pub(crate) const MANIFEST: &str = "manifest.json";

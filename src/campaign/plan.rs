@@ -7,7 +7,7 @@ use super::manifest::{CellEntry, MANIFEST, Manifest, SCHEMA, ScanEntry, hash, to
 use super::variants::{Variant, variants};
 use super::{CampaignError, sealed};
 use crate::cell::find::open;
-use crate::report::begin::Begin;
+use crate::record::begin::Begin;
 
 /// Most scans of a campaign.
 const MOST_SCANS: usize = 1_000_000;

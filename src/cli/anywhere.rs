@@ -12,11 +12,11 @@ use super::resume::{self, Command};
 use super::run::{Run, file_name};
 use super::{beginnings, results, stopping};
 use crate::cell::file::files::named_from;
-use crate::report::anywhere::{Anywhere, Place};
+use crate::record::anywhere::{Anywhere, Place};
+use crate::record::model::Verdict;
 use crate::report::baseline::Baseline;
-use crate::report::floorplan;
-use crate::report::model::Verdict;
 use crate::report::whole::Whole;
+use crate::report::{floorplan, from_anywhere};
 use crate::scan::anywhere::{Effort, Told, anywhere, refusal};
 use crate::scan::{Prepared, Scanned, picture};
 use crate::sim::anywhere::ledger::Ledger;
@@ -225,7 +225,7 @@ fn look(
     match arguments.format {
         Format::Json if beside => {}
         Format::Json => output::json(&json),
-        Format::Table => output::result(&format!("\n{}", found.render(&report, output::view()))),
+        Format::Table => output::result(&format!("\n{}", from_anywhere::render(&found, &report, output::view()))),
     }
     found.warnings.iter().for_each(|warning| output::warning(warning));
     let code = run.conclude((prepared, &report, interrupted), baseline, out)?;

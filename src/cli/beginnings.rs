@@ -7,8 +7,8 @@ use serde::{Deserialize, Serialize};
 
 use super::exit::{self, Failure};
 use super::output;
-use crate::report::hazard::Hazard;
-use crate::report::model::{BeginningSubject, FileSubject, Subject};
+use crate::record::hazard::Hazard;
+use crate::record::model::{BeginningSubject, FileSubject, Subject};
 
 /// Where the table is kept.
 const TABLE: &str = "beginnings.json";

@@ -3,7 +3,7 @@
 use std::sync::Mutex;
 
 use super::output::{self, Progress};
-use crate::report::advice::Outcome;
+use crate::record::advice::Outcome;
 use crate::scan::remedy::Told;
 
 /// What is told, by threads one after the other.

@@ -14,7 +14,7 @@ use crate::cell::find::{Examined, Todo, examine};
 use crate::cell::workcell::{StartArea, Workcell};
 use crate::fmi::number;
 use crate::human::ControlledBy;
-use crate::report::speeds::SpeedRecord;
+use crate::record::speeds::SpeedRecord;
 use crate::report::topview;
 use crate::scan::prepare::prepare_in;
 use crate::scan::probe::{Probe, probe, run_s};

@@ -7,9 +7,9 @@ use super::{beginnings, output};
 use crate::cell::error::nearest;
 use crate::cell::find::whole_text;
 use crate::host::selftest::Rung;
-use crate::report::hazard::Hazard;
-use crate::report::model::{FileSubject, FmuSubject};
-use crate::report::recorded::Recorded;
+use crate::record::hazard::Hazard;
+use crate::record::model::{FileSubject, FmuSubject};
+use crate::record::recorded::Recorded;
 use crate::scan::prepare::prepare_unplaced;
 use crate::scan::{Hosting, PrepareError, Prepared};
 

@@ -5,7 +5,7 @@ use std::time::{Duration, Instant};
 use schemars::JsonSchema;
 use serde::Serialize;
 
-use crate::report::hazard::Hazard;
+use crate::record::hazard::Hazard;
 
 /// Shortest time between two lines on how far something is.
 pub(super) const BETWEEN: Duration = Duration::from_millis(100);

@@ -5,11 +5,11 @@ use schemars::generate::SchemaSettings;
 use serde::Serialize;
 
 use super::{check, events, replay};
-use crate::report::anywhere::Anywhere;
+use crate::record::anywhere::Anywhere;
+use crate::record::model::ScanReport;
 use crate::report::difference::Difference;
 use crate::report::distance::Distances;
 use crate::report::explanation::Explanation;
-use crate::report::model::ScanReport;
 use crate::report::verified;
 
 /// Each property is what the command of this name prints with `--format json`, but for the last three.

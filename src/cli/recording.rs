@@ -3,7 +3,7 @@
 use std::path::Path;
 
 use super::exit::Failure;
-use crate::report::hazard::Hazard;
+use crate::record::hazard::Hazard;
 use crate::report::mcap::{self, Recording};
 use crate::scan::{Prepared, ScanError, StateChoice, film};
 

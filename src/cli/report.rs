@@ -5,7 +5,7 @@ use std::path::PathBuf;
 use super::exit::{Failure, INTERRUPTED, NO_HAZARD};
 use super::hosting::HostingArguments;
 use super::{earlier, output, results, stopping};
-use crate::report::model::Headline;
+use crate::record::model::Headline;
 use crate::report::page;
 use crate::scan::causes::causes;
 use crate::scan::film;

@@ -10,12 +10,12 @@ use crate::cell::workcell::Link;
 use crate::host::Effort;
 use crate::host::isolation::LastWords;
 use crate::host::selftest::Rung;
-use crate::report::anywhere::Anywhere;
+use crate::record::anywhere::Anywhere;
+use crate::record::cause::Cause;
+use crate::record::hazard::Hazard;
+use crate::record::model::ScanReport;
 use crate::report::assessment::{self, Assessments};
 use crate::report::baseline::Baseline;
-use crate::report::cause::Cause;
-use crate::report::hazard::Hazard;
-use crate::report::model::ScanReport;
 use crate::report::page::Replay;
 use crate::report::sarif::{self, CellFile};
 use crate::report::{csv, junit, page, topview, trace};
@@ -230,7 +230,7 @@ fn cell_file(context: &Context<'_>) -> CellFile {
     let links = context.prepared.cell.links.iter().filter(|_| own);
     // A file that it extends is found from its folder.
     let seen = |base: &Path| {
-        let path = clean(&context.path.parent().unwrap_or(Path::new("")).join(base));
+        let path = clean(context.path.parent().unwrap_or(Path::new("")).join(base));
         uri_of(&path)
     };
     let place = |link: &Link| (link.place.base.as_deref().map(seen), link.place.line);

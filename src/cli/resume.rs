@@ -7,7 +7,7 @@ use serde::{Deserialize, Serialize};
 
 use super::exit::Failure;
 use super::output;
-use crate::report::recorded::found;
+use crate::record::recorded::found;
 use crate::scan::Prepared;
 use crate::scan::moved::seen_from;
 use crate::sim::anywhere::ledger::Ledger;

@@ -7,9 +7,9 @@ use super::exit::{self, Failure};
 use super::scan_arguments::Arguments;
 use super::{beginnings, earlier, output};
 use crate::cell::file::validate::BASELINE;
+use crate::record::model::{BeginningSubject, ScanReport, Verdict};
 use crate::report::assessment::Assessments;
 use crate::report::baseline::Baseline;
-use crate::report::model::{BeginningSubject, ScanReport, Verdict};
 use crate::scan::Prepared;
 use crate::scan::moved;
 use crate::stop::Stop;
@@ -158,7 +158,7 @@ pub(super) fn file_name(name: &str) -> String {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::report::fixtures;
+    use crate::record::fixtures;
     use crate::scan::Hosting;
     use crate::scan::prepare::prepare_in;
 

@@ -26,7 +26,7 @@ enum File {
 pub(super) fn run(arguments: &Arguments) -> Result<u8, Failure> {
     let schema = match arguments.of {
         File::Cell => crate::cell::json_schema(),
-        File::Scan => crate::report::model::json_schema(),
+        File::Scan => crate::record::model::json_schema(),
         File::Commands => super::printed::schema(),
     };
     output::json(&format!("{schema:#}\n"));

@@ -2,13 +2,13 @@
 
 use std::collections::{BTreeMap, BTreeSet};
 
-use super::cause::{Cause, Grouped, grouped};
 use super::difference::Change;
-use super::hazard::Hazard;
-use super::looks::Looks;
-use super::model::ScanReport;
-use super::narrower::Narrower;
-use super::recorded::{Recorded, RecordedSubject};
+use crate::record::cause::{Cause, Grouped, grouped};
+use crate::record::hazard::Hazard;
+use crate::record::looks::Looks;
+use crate::record::model::ScanReport;
+use crate::record::narrower::Narrower;
+use crate::record::recorded::{Recorded, RecordedSubject};
 
 /// Known hazards by id, and their causes.
 #[derive(Clone, Debug, Default)]
@@ -106,7 +106,7 @@ impl Baseline {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::report::fixtures;
+    use crate::record::fixtures;
 
     #[test]
     fn known_hazards_that_became_worse_fail_as_new_ones_do() {

@@ -1,12 +1,12 @@
 //! What a search covered, in sentences: certificate, residual figures, what was seen. The terminal and the page set them differently.
 
-use super::certificate::{Certificate, Residual, RunAgain, Unlisted};
-use super::figures::{at_least, at_most, grouped, percent};
-use super::model::{Settings, Spent};
 use crate::hazard::STANDSTILL_M_S;
 use crate::human::arm::ArmModel;
-use crate::sim::Coverage;
-use crate::sim::coverage::RobotCoverage;
+use crate::record::certificate::{Certificate, Residual, RunAgain, Unlisted};
+use crate::record::coverage::Coverage;
+use crate::record::coverage::RobotCoverage;
+use crate::record::figures::{at_least, at_most, grouped, percent};
+use crate::record::model::{Settings, Spent};
 
 /// How bounds are rounded.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

@@ -5,11 +5,11 @@
 use std::collections::BTreeMap;
 
 use super::assessment::{Assessment, Assessments};
-use super::cause::Cause;
-use super::hazard::Hazard;
-use super::judged::Judged;
-use super::model::ScanReport;
 use crate::hazard::criterion::Class;
+use crate::record::cause::Cause;
+use crate::record::hazard::Hazard;
+use crate::record::judged::Judged;
+use crate::record::model::ScanReport;
 use crate::standards::iso_13849::required_performance_level;
 
 /// What ISO 12100, Table B.1 calls what this program can find: group, origin, consequence.
@@ -237,7 +237,7 @@ fn harmless(cell: String) -> String {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::report::fixtures;
+    use crate::record::fixtures;
 
     #[test]
     fn formulas_are_text_and_negative_numbers_are_numbers() {

@@ -7,12 +7,12 @@ use std::fmt::Write as _;
 use schemars::JsonSchema;
 use serde::Serialize;
 
-use super::cause::{Grouped, grouped};
-use super::hazard::Hazard;
-use super::model::FmuSubject;
-use super::narrower::Narrower;
-use super::paragraph::wrapped_under;
-use super::recorded::{Recorded, RecordedSubject};
+use crate::record::cause::{Grouped, grouped};
+use crate::record::hazard::Hazard;
+use crate::record::model::FmuSubject;
+use crate::record::narrower::Narrower;
+use crate::record::paragraph::wrapped_under;
+use crate::record::recorded::{Recorded, RecordedSubject};
 
 /// Relative change of the force ratio below which a hazard is the same.
 const SAME: f64 = 0.005;

@@ -8,10 +8,10 @@ use std::fmt::Write as _;
 use schemars::JsonSchema;
 use serde::Serialize;
 
-use super::paragraph::{WIDTH, wrapped_to};
-use crate::fmi::number;
+use crate::record::paragraph::{WIDTH, wrapped_to};
 use crate::standards::iso_13855::{Edition, Required, Separation};
 use crate::standards::provenance::Table;
+use fmu_self_test::number;
 
 /// All safeguards of a cell.
 #[derive(Clone, Debug, Serialize, JsonSchema)]

@@ -1,7 +1,7 @@
 //! What people do in an action, in words: of one person, or of two by their names.
 
-use super::worked::ControlRecord;
 use crate::human::{Action, Who};
+use crate::record::worked::ControlRecord;
 
 /// Walk and posture: "walks straight ahead, bent forward"; of two people what each does.
 #[must_use]

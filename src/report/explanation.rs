@@ -1,21 +1,19 @@
 //! A hazard explained: what happens in plain words, the force with its formula, numbers and sources, the safe speed, and
 //! what came of changes of the cell.
 
-mod others;
-
 use std::fmt::Write as _;
 
 use schemars::JsonSchema;
 use serde::Serialize;
 
-use super::advice::{self, Remedy};
 use super::does::moves;
-use super::hazard::Hazard;
-use super::model::STANDARD_EDITION;
-use super::paragraph::{wrapped, wrapped_under};
-use super::people::SecondRecord;
-use super::worked::Working;
 use crate::human::{Action, Who};
+use crate::record::advice::{self, Remedy};
+use crate::record::hazard::Hazard;
+use crate::record::model::STANDARD_EDITION;
+use crate::record::paragraph::{wrapped, wrapped_under};
+use crate::record::people::SecondRecord;
+use crate::record::worked::Working;
 use crate::standards::iso_ts_15066 as limits;
 use crate::standards::provenance::Table;
 use crate::standards::tables::tables;

@@ -4,10 +4,10 @@
 use svg::Document;
 use svg::node::element::{Circle, ClipPath, Definitions, Group, Line, Path, Pattern, Polygon, Rectangle, Text, Title};
 
-use super::anywhere::Place;
 use super::topview::Point;
 use super::whole::Whole;
 use crate::hazard::Class;
+use crate::record::anywhere::Place;
 
 /// The longer side of the map, and the widest scale, pixels and pixels per metre.
 const MAP: f64 = 860.0;
@@ -411,9 +411,9 @@ fn legend(whole: &Whole<'_>, plan: &Plan, left: f64) -> (Group, f64) {
 
 #[cfg(test)]
 mod tests {
-    use super::super::anywhere::Ground;
     use super::super::whole::tests::{squares, whole};
     use super::*;
+    use crate::record::anywhere::Ground;
 
     #[test]
     fn names_are_escaped_and_every_square_is_drawn_in_its_colour() {

@@ -4,10 +4,10 @@
 use quick_junit::{NonSuccessKind, Report, TestCase, TestCaseStatus, TestSuite};
 
 use super::baseline::{Baseline, Standing};
-use super::cause::grouped;
-use super::hazard::Hazard;
-use super::model::{ScanReport, Verdict};
-use super::recorded::is_complete;
+use crate::record::cause::grouped;
+use crate::record::hazard::Hazard;
+use crate::record::model::{ScanReport, Verdict};
+use crate::record::recorded::is_complete;
 
 /// The report. A cause fails if one of its hazards is new or worse, and is skipped if `baseline` knows them all. What that
 /// knows and is not there any more is a success if the scan is complete and would have told it; else it may still be there, and is

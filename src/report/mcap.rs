@@ -12,11 +12,11 @@ use ::mcap::{McapResult, WriteOptions, Writer};
 use serde_json::{Map, Value, json};
 
 use super::foxglove::{Color, Entity, SceneUpdate};
-use super::hazard::Hazard;
-use super::model::Subject;
 use super::page::{ArmPose, LinkShape, Replay, Scenery};
 use super::trace::Trace;
 use crate::geometry::{Rotation, Vec3};
+use crate::record::hazard::Hazard;
+use crate::record::model::Subject;
 use crate::standards::BodyRegion;
 
 const OBSTACLE: u32 = 0x8a_93_9b;
@@ -223,7 +223,7 @@ mod tests {
     use std::io::Cursor;
 
     use super::*;
-    use crate::report::fixtures;
+    use crate::record::fixtures;
     use crate::report::page::{ArmShape, Floats, StartPlace};
 
     /// Of a film without frames, so that nothing else is in it.

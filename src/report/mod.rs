@@ -35,46 +35,24 @@
 //! - [`whole`], [`floorplan`]: the floor for these, as data and as an SVG
 //! - [`survey`], [`survey_pictures`], [`survey_page`]: many scans together, as data, as SVG and as a page
 
-pub mod advice;
-pub mod anywhere;
 pub(crate) mod assessment;
 pub(crate) mod assumptions;
 pub(crate) mod baseline;
-pub mod begin;
-pub mod cause;
-pub mod certificate;
 mod columns;
 pub(crate) mod covered;
-pub(crate) mod criteria;
 pub(crate) mod csv;
 pub(crate) mod difference;
 pub(crate) mod distance;
 pub(crate) mod does;
 pub(crate) mod explanation;
-pub(crate) mod figures;
-#[cfg(test)]
-pub(crate) mod fixtures;
 pub(crate) mod floorplan;
-pub(crate) mod forces;
-pub(crate) mod formula;
 pub(crate) mod foxglove;
-pub mod hazard;
-pub(crate) mod headline;
-mod immovable;
-pub(crate) mod judged;
+pub(crate) mod from_anywhere;
 pub(crate) mod junit;
-pub(crate) mod looks;
 pub(crate) mod mcap;
-pub mod model;
-pub(crate) mod narrower;
 pub mod page;
-mod paragraph;
-pub(crate) mod people;
-pub mod recorded;
 mod resting;
 pub(crate) mod sarif;
-pub(crate) mod share;
-pub mod speeds;
 pub(crate) mod survey;
 pub(crate) mod survey_page;
 pub(crate) mod survey_pictures;
@@ -85,6 +63,5 @@ pub(crate) mod verified;
 pub(crate) mod view;
 pub(crate) mod whole;
 pub(crate) mod words;
-pub(crate) mod worked;
 
 pub use columns::columns;

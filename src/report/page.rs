@@ -9,11 +9,11 @@ use flate2::Compression;
 use flate2::write::GzEncoder;
 use serde::{Serialize, Serializer};
 
-use super::anywhere::Anywhere;
 use super::assessment::Assessments;
 use super::assumptions::assumptions;
 use super::whole::Whole;
 use super::words::Words;
+use crate::record::anywhere::Anywhere;
 
 /// What the viewer is built to.
 const SCRIPT: &str = include_str!("viewer/viewer.js");
@@ -328,7 +328,7 @@ fn packed_list<T: Serialize, S: Serializer>(list: &[T], to: S) -> Result<S::Ok, 
     to.serialize_str(&packed(list).map_err(serde::ser::Error::custom)?)
 }
 
-/// The page. `scan` is a [`ScanReport`](super::model::ScanReport), or one that was read back as JSON; `whole` is what is known of people
+/// The page. `scan` is a [`ScanReport`](crate::record::model::ScanReport), or one that was read back as JSON; `whole` is what is known of people
 /// who come from anywhere, if that was asked.
 ///
 /// # Errors

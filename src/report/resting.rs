@@ -1,9 +1,9 @@
 //! What a result rests on, in words for a terminal: what is open with what to do about it, what is accepted, and on request what is
 //! shown.
 
-use super::paragraph::wrapped_to;
 use super::view::View;
 use crate::obligations::{Obligations, Standing};
+use crate::record::paragraph::wrapped_to;
 
 /// What stands before the lines that accept what can be.
 pub(super) const TO_ACCEPT: &str = "Whoever accepts what was only tried out adds to the cell file:";

@@ -4,9 +4,9 @@
 use serde_json::{Value, json};
 
 use super::baseline::{Baseline, Standing};
-use super::hazard::Hazard;
-use super::model::ScanReport;
 use crate::hazard::Class;
+use crate::record::hazard::Hazard;
+use crate::record::model::ScanReport;
 
 /// What of the cell file a finding points to.
 #[derive(Clone, Debug)]

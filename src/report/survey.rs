@@ -4,9 +4,9 @@ use std::collections::{BTreeMap, BTreeSet};
 
 use serde::{Deserialize, Serialize};
 
-use super::begin::Begin;
 use super::columns;
-use super::hazard::Hazard;
+use crate::record::begin::Begin;
+use crate::record::hazard::Hazard;
 
 /// Version of the format of `campaign.json`.
 const SCHEMA: u32 = 1;

@@ -2,17 +2,17 @@
 
 use std::fmt::Write as _;
 
-use super::cause::{Cause, Change, NO_CHANGE, TRIED_IN_PART};
-use super::certificate::{Certificate, Residual};
 use super::covered::{self, Bounds, NO_SENSORS};
-use super::hazard::Hazard;
-use super::headline::confirmed_words;
-use super::judged::measure_cell;
-use super::model::{Headline, ScanReport};
-use super::paragraph::wrapped_to;
 use super::resting::rests_on;
 use super::view::View;
 use crate::human::Action;
+use crate::record::cause::{Cause, Change, NO_CHANGE, TRIED_IN_PART};
+use crate::record::certificate::{Certificate, Residual};
+use crate::record::hazard::Hazard;
+use crate::record::headline::confirmed_words;
+use crate::record::judged::measure_cell;
+use crate::record::model::{Headline, ScanReport};
+use crate::record::paragraph::wrapped_to;
 
 /// Hazards printed in full; the rest are counted.
 const ROWS: usize = 15;

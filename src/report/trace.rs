@@ -1,6 +1,6 @@
 //! What an FMU gets from its own start to a hazard, as CSV that other tools simulate with (FMPy: `--input-file`), and what it answers.
 
-use super::hazard::Hazard;
+use crate::record::hazard::Hazard;
 
 /// Inputs and outputs of the only FMU over a sequence.
 #[derive(Clone, Debug, Default, PartialEq)]

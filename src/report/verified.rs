@@ -6,11 +6,11 @@ use quick_junit::{NonSuccessKind, TestCaseStatus};
 use schemars::JsonSchema;
 use serde::Serialize;
 
-use super::cause::{Cause, grouped};
-use super::hazard::Hazard;
 use super::junit::{self, xml};
-use super::narrower::Narrower;
-use super::paragraph::wrapped;
+use crate::record::cause::{Cause, grouped};
+use crate::record::hazard::Hazard;
+use crate::record::narrower::Narrower;
+use crate::record::paragraph::wrapped;
 
 /// A known hazard, tried again.
 #[derive(Clone, Debug, PartialEq)]

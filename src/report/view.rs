@@ -1,6 +1,6 @@
 //! How a result is shown at a terminal.
 
-use super::paragraph::WIDTH;
+use crate::record::paragraph::WIDTH;
 
 /// How the result is shown.
 #[derive(Clone, Copy, Debug)]

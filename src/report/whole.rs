@@ -4,7 +4,7 @@ use std::collections::BTreeSet;
 
 use serde::Serialize;
 
-use super::anywhere::{Anywhere, Cell, Ground, Place, changes_words, presses_words};
+use crate::record::anywhere::{Anywhere, Cell, Ground, Place, changes_words, presses_words};
 
 /// What a picture of the floor shows.
 #[derive(Clone, Debug, Serialize)]

@@ -17,21 +17,21 @@ use serde_json::Value;
 use self::cause::CauseWords;
 use self::hazard::HazardWords;
 use self::searched::Part;
-use super::cause::{Cause, capitalised};
-use super::certificate::{Certificate, Residual};
 use super::does::acts;
-use super::forces::both_forces_note;
-use super::formula::REPORTS;
-use super::hazard::Hazard;
-use super::judged::{NO_CONTACT, NONE_ALLOWED};
-use super::model::{Headline, Settings, Spent};
 use super::resting::TO_ACCEPT;
 use super::terminal::limits_words;
 use crate::hazard::Class;
-use crate::host::selftest::SelfTest;
 use crate::human::Action;
-use crate::sim::Coverage;
+use crate::record::cause::{Cause, capitalised};
+use crate::record::certificate::{Certificate, Residual};
+use crate::record::coverage::Coverage;
+use crate::record::forces::both_forces_note;
+use crate::record::formula::REPORTS;
+use crate::record::hazard::Hazard;
+use crate::record::judged::{NO_CONTACT, NONE_ALLOWED};
+use crate::record::model::{Headline, Settings, Spent};
 use crate::standards::BodyRegion;
+use fmu_self_test::SelfTest;
 
 /// A scan, as far as sentences are made of it.
 #[derive(Deserialize)]
@@ -229,7 +229,7 @@ fn table_notes(hazards: &[Hazard], settings: &Settings) -> Vec<String> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::report::fixtures::{cause, hazard, report};
+    use crate::record::fixtures::{cause, hazard, report};
 
     fn words(hazard: Hazard) -> Value {
         let cause = cause("C-1", &[&hazard.id]);
@@ -280,6 +280,6 @@ mod tests {
         assert_eq!((&row[3], &row[6]), (&"none allowed".into(), &"none".into()));
         assert!(words["hazards"]["H-1"]["computed"].as_str().unwrap().contains("No speed is safe"));
         assert_eq!(words["table_notes"].as_array().unwrap().len(), 2);
-        assert_eq!(super::super::judged::ratio_words(BodyRegion::Face, 0.6), "no contact allowed (0.60x)");
+        assert_eq!(crate::record::judged::ratio_words(BodyRegion::Face, 0.6), "no contact allowed (0.60x)");
     }
 }

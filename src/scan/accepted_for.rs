@@ -1,7 +1,7 @@
 //! What acceptances in a cell file are bound to.
 
 use crate::cell::sha256;
-use crate::report::model::Subject;
+use crate::record::model::Subject;
 
 /// The SHA-256 of the FMU; of several of them that of all of theirs.
 pub(super) fn fmu_digest(subject: &Subject) -> String {

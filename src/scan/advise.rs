@@ -5,9 +5,9 @@ use super::prepare::Prepared;
 use super::remedy::{Effort, Purse, Told, remedies};
 use crate::host::PlantError;
 use crate::host::selftest::Rung;
-use crate::report::advice::Remedy;
-use crate::report::cause::{CauseAdvice, Change};
-use crate::report::model::ScanReport;
+use crate::record::advice::Remedy;
+use crate::record::cause::{CauseAdvice, Change};
+use crate::record::model::ScanReport;
 
 /// Causes for which changes are looked for, worst first. What removes one often removes the others.
 const CAUSES: usize = 3;

@@ -5,7 +5,7 @@
 use crate::geometry::Vec3;
 use crate::human::Side;
 use crate::human::arm::ArmModel;
-use crate::report::hazard::Arm;
+use crate::record::hazard::Arm;
 use crate::sim::simulation::Instant;
 
 /// How long before the contact the arm that touches begins to be raised, s.

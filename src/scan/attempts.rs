@@ -14,7 +14,7 @@ use crate::host::audit::repeated;
 use crate::host::selftest::Rung;
 use crate::host::{Effort, Hosted, Plant as _, Unlike};
 use crate::obligations::{Need, Point};
-use crate::report::hazard::Hazard;
+use crate::record::hazard::Hazard;
 use crate::sim::expansion::Merge;
 use crate::sim::journal::Journal;
 

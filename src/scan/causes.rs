@@ -18,10 +18,10 @@ use crate::hazard::Part;
 use crate::hazard::cause::{self, Kind, Member};
 use crate::host::selftest::Rung;
 use crate::human::BodyPart;
-use crate::report::cause::{Cause, Circumstances};
-use crate::report::certificate::Certificate;
-use crate::report::hazard::Hazard;
-use crate::report::worked::Working;
+use crate::record::cause::{Cause, Circumstances};
+use crate::record::certificate::Certificate;
+use crate::record::hazard::Hazard;
+use crate::record::worked::Working;
 use crate::sim::simulation::Instant;
 
 /// Steps along an arm in which it is looked what it reaches past, m: thinner than any fence.

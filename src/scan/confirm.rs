@@ -8,8 +8,8 @@ use super::settings;
 use crate::hazard::{Finding, Group};
 use crate::host::{Hosted, PlantError, Policy};
 use crate::human::Action;
-use crate::report::hazard::{FirstContact, Hazard};
-use crate::report::worked::Working;
+use crate::record::hazard::{FirstContact, Hazard};
+use crate::record::worked::Working;
 use crate::sim::replay::{Replayed, Wanted, replay_watched};
 use crate::sim::{Options, Simulation, World};
 

@@ -6,8 +6,8 @@ use super::settings;
 use crate::cell::Zone;
 use crate::geometry::polygon::{contains, distance_to_edge};
 use crate::human::action::ACTION_S;
+use crate::record::hazard::Hazard;
 use crate::report::explanation::{Explanation, Outside, Reports, Robot};
-use crate::report::hazard::Hazard;
 use crate::sim::simulation::Watched;
 
 /// The explanation of `hazard`, whose sequence was watched, without remedies; nothing if the cell has no such link.

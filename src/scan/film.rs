@@ -14,7 +14,7 @@ use crate::host::system::UnitPort;
 use crate::host::{Hosted, Plant as _, PlantError};
 use crate::human::arm::ArmModel;
 use crate::human::{Action, BendFraction, Posture, Who};
-use crate::report::hazard::{Hazard, Through};
+use crate::record::hazard::{Hazard, Through};
 use crate::report::page::{
     ArmPose, ArmShape, Begun, Floats, LinkLook, LinkShape, Moved, Obstacle, PartShape, Replay, RobotBase, Scenery,
     StartPlace, Strip, ZoneOutline,

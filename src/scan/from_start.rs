@@ -11,7 +11,7 @@ use super::prepare::Prepared;
 use super::searched::Searched;
 use crate::cell::workcell::Robot;
 use crate::obligations::{Assumption, Engine, Need, Point, Reply};
-use crate::report::figures::grouped;
+use crate::record::figures::grouped;
 use crate::scan::speeds::Speeds;
 use crate::sim::coverage::{NeverMet, RobotCoverage};
 

@@ -4,7 +4,7 @@
 use std::path::Path;
 
 use crate::cell::file::files::named_from;
-use crate::report::model::{ScanReport, Subject};
+use crate::record::model::{ScanReport, Subject};
 
 /// `path` as a file in `folder` names it, so that it is found from there: without going through links if that is enough.
 #[must_use]
@@ -41,7 +41,7 @@ pub(crate) fn relative(report: &ScanReport, folder: &Path) -> ScanReport {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::report::recorded::found;
+    use crate::record::recorded::found;
 
     #[test]
     fn a_path_is_seen_from_the_result_and_found_again() {

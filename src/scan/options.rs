@@ -4,7 +4,7 @@ use thiserror::Error;
 
 use super::hosting::StateChoice;
 use crate::host::{Hosted, PlantError};
-use crate::report::hazard::Hazard;
+use crate::record::hazard::Hazard;
 use crate::search::exhaustive::Budget;
 use crate::search::mcts_dpw::Parameters;
 use crate::search::{Hybrid, MctsDpw, Plan, Profile, Random, Strategy};

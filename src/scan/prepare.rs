@@ -24,7 +24,7 @@ use crate::host::isolation::{Isolated, Keeping, LastWords};
 use crate::host::selftest::{Agreement, Rung, SelfTest};
 use crate::host::{Hosted, PlantError, Policy, System, SystemSetup, UnitPort};
 use crate::obligations::{Point, Reply};
-use crate::report::model::{BeginningSubject, FileSubject, FmuSubject, Subject};
+use crate::record::model::{BeginningSubject, FileSubject, FmuSubject, Subject};
 use crate::sim::{Options, Simulation, World};
 use crate::stop::Stop;
 

@@ -46,8 +46,8 @@ use crate::cell::knob::{Encounter, Knobs};
 use crate::hazard::cause::Member;
 use crate::host::PlantError;
 use crate::human::Action;
-use crate::report::advice::{Outcome, Remedy};
-use crate::report::hazard::Hazard;
+use crate::record::advice::{Outcome, Remedy};
+use crate::record::hazard::Hazard;
 
 /// How hard a remedy is tried.
 #[derive(Clone, Copy, Debug)]

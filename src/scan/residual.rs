@@ -1,7 +1,7 @@
 //! What the random sequences of a search met, for the figures of [`crate::search::residual`].
 
 use crate::hazard::{Finding, Groups, Identity};
-use crate::report::certificate::{Residual, Unlisted};
+use crate::record::certificate::{Residual, Unlisted};
 use crate::search::residual::{Figures, Met, RandomSample};
 use crate::search::{End, Iteration};
 

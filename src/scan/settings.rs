@@ -4,10 +4,10 @@ use crate::cell::{Control, Workcell};
 use crate::hazard::criterion::separation::Stop;
 use crate::human::ControlKind;
 use crate::human::action::ACTION_S;
-use crate::report::criteria::{ClampingRecord, CriteriaRecord, SeparationTerms, StatedStop};
-use crate::report::model::Settings;
-use crate::report::people::SecondRecord;
-use crate::report::worked::ControlRecord;
+use crate::record::criteria::{ClampingRecord, CriteriaRecord, SeparationTerms, StatedStop};
+use crate::record::model::Settings;
+use crate::record::people::SecondRecord;
+use crate::record::worked::ControlRecord;
 
 /// The settings of a cell, with nothing of a search in them but the cell's own seed.
 pub(super) fn of_cell(cell: &Workcell) -> Settings {

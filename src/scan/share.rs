@@ -12,7 +12,7 @@ use crate::geometry::Vec3;
 use crate::host::{PlantError, Policy};
 use crate::human::action::ACTION_S;
 use crate::human::{Action, Posture, Walk};
-use crate::report::share::CycleShare;
+use crate::record::share::CycleShare;
 use crate::sim::{Options, Simulation};
 
 /// The first window that is looked at, s; the next is twice as long.

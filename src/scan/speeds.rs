@@ -1,7 +1,7 @@
 //! What is told of speeds that are not those of the motion, and of motions that no robot makes.
 
 use crate::cell::{Binding, Workcell};
-use crate::report::speeds::SpeedRecord;
+use crate::record::speeds::SpeedRecord;
 use crate::sim::motion::{Comparison, Disagreement, IMPLAUSIBLE_M_S, Motion, Part, Seen, Signal};
 
 /// What is told of the motion of a cell's robots.

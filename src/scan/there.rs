@@ -11,8 +11,8 @@ use crate::cell::Workcell;
 use crate::cell::workcell::Beginning;
 use crate::host::{Hosted, PlantError};
 use crate::human::{Body, Start};
-use crate::report::begin::Begin;
-use crate::report::hazard::Hazard;
+use crate::record::begin::Begin;
+use crate::record::hazard::Hazard;
 use crate::sim::simulation::Watched;
 use crate::sim::{Simulation, World};
 

@@ -52,7 +52,7 @@ pub(crate) fn run(
     let runs: Vec<_> = seeds::run(prepared, &runs, tell, one)?
         .into_iter()
         .map(|(strategy, results)| {
-            let mut coverage = Coverage::of(&prepared.cell);
+            let mut coverage = crate::sim::nothing_seen(&prepared.cell);
             let mut first_hit = Vec::with_capacity(results.len());
             for (hit, seen) in results {
                 first_hit.push(hit);

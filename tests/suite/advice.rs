@@ -7,8 +7,8 @@ use std::sync::Arc;
 use crate::common::guarded::{bar, every_sequence, guarded};
 use crate::sample;
 use fmi_hazard::host::selftest::Rung;
-use fmi_hazard::report::advice::{Met, OneLess, Others, Outcome, Remedy};
-use fmi_hazard::report::model::ScanReport;
+use fmi_hazard::record::advice::{Met, OneLess, Others, Outcome, Remedy};
+use fmi_hazard::record::model::ScanReport;
 use fmi_hazard::scan::advise::advise;
 use fmi_hazard::scan::prepare::prepare;
 use fmi_hazard::scan::remedy::Effort;
@@ -625,7 +625,7 @@ fn a_range_is_searched_to_its_end_and_no_farther() {
     assert_eq!(remedy.limit.as_deref(), Some(said.as_str()), "{remedy:#?}");
     // What was tried last is the end itself, between two steps.
     assert!(number(&remedy.change, "zone of mat ") <= wider - 0.01, "{remedy:#?}");
-    let told = fmi_hazard::report::advice::render(&short.remedies).split_whitespace().collect::<Vec<_>>().join(" ");
+    let told = fmi_hazard::record::advice::render(&short.remedies).split_whitespace().collect::<Vec<_>>().join(" ");
     assert!(told.contains(&said), "{told}");
     // A range of a parameter, in its own unit.
     let range = with_limits(

@@ -8,7 +8,7 @@ use crate::common::guarded::every_sequence;
 use crate::common::{fmi_hazard, scan_json, write};
 use crate::restarts::{UNTIL_S, WATCHES, cell, folder};
 use crate::sample;
-use fmi_hazard::report::advice::{Met, OneLess, Outcome, Remedy};
+use fmi_hazard::record::advice::{Met, OneLess, Outcome, Remedy};
 use fmi_hazard::scan::Prepared;
 use fmi_hazard::scan::advise::advise;
 use fmi_hazard::scan::anywhere::Until;

@@ -7,8 +7,8 @@ use std::path::Path;
 
 use crate::common::guarded::{bar, every_sequence, guarded};
 use fmi_hazard::host::PlantError;
-use fmi_hazard::report::advice::{Checked, OneLess, Outcome, Remedy};
-use fmi_hazard::report::model::Verdict;
+use fmi_hazard::record::advice::{Checked, OneLess, Outcome, Remedy};
+use fmi_hazard::record::model::Verdict;
 use fmi_hazard::scan::advise::advise;
 use fmi_hazard::scan::anywhere::{Effort as AnywhereEffort, Until, anywhere, refusal};
 use fmi_hazard::scan::prepare::prepare;

@@ -6,8 +6,8 @@ use std::path::Path;
 use crate::common::anywhere::{cell, look, mat};
 use crate::common::guarded::guarded;
 use crate::common::test_fmus;
-use fmi_hazard::report::anywhere::{Anywhere, Place};
-use fmi_hazard::report::model::Verdict;
+use fmi_hazard::record::anywhere::{Anywhere, Place};
+use fmi_hazard::record::model::Verdict;
 
 /// By legs alone, by a bar that is slow enough to be stopped in time.
 fn by_legs(text: &str) -> String {

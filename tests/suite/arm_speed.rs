@@ -1,6 +1,6 @@
 //! Arms that take their time: what they reach is part of what arms reach that are anywhere at once.
 
-use fmi_hazard::report::model::ScanReport;
+use fmi_hazard::record::model::ScanReport;
 use fmi_hazard::scan::StateChoice;
 use fmi_hazard::scan::prepare::{Prepared, prepare};
 use fmi_hazard::search::{End, Environment as _};

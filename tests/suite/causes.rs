@@ -7,7 +7,7 @@ use std::path::Path;
 use crate::common::examples;
 use crate::common::guarded::{bar, every_sequence, guarded};
 use crate::sample;
-use fmi_hazard::report::model::ScanReport;
+use fmi_hazard::record::model::ScanReport;
 use fmi_hazard::scan::prepare::prepare;
 
 /// Every sequence of a cell file in `dir`.
@@ -44,7 +44,7 @@ fn two_flaws(name: &str, dir: &Path, [one, other, both]: [String; 3]) {
     let [first, second] = [&one, &other].map(|text| ids(&all(dir, text)));
     let report = all(dir, &both);
     consistent(&report);
-    let of = |cause: &fmi_hazard::report::cause::Cause| {
+    let of = |cause: &fmi_hazard::record::cause::Cause| {
         let any = |mine: &BTreeSet<String>, others: &BTreeSet<String>| {
             cause.hazards.iter().any(|id| mine.contains(id) && !others.contains(id))
         };

@@ -7,8 +7,8 @@ use crate::common::anywhere::look_with;
 use crate::common::write;
 use crate::restarts::{UNTIL_S, WATCHES, cell, folder};
 use crate::sample;
-use fmi_hazard::report::anywhere::Anywhere;
-use fmi_hazard::report::model::Verdict;
+use fmi_hazard::record::anywhere::Anywhere;
+use fmi_hazard::record::model::Verdict;
 use fmi_hazard::scan::anywhere::Told;
 use fmi_hazard::sim::anywhere::ledger::Ledger;
 

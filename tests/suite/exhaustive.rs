@@ -13,7 +13,7 @@ use crate::sample;
 use fmi_hazard::hazard::Finding;
 use fmi_hazard::host::{Advanced, Hosted, NodeId, Recall};
 use fmi_hazard::human::{Action, Place, Posture, Presses, Repertoire, Walk};
-use fmi_hazard::report::hazard::Hazard;
+use fmi_hazard::record::hazard::Hazard;
 use fmi_hazard::scan::{Prepared, StateChoice, prepare::prepare};
 use fmi_hazard::search::exhaustive::Budget;
 use fmi_hazard::search::statistics::wilson;

@@ -5,7 +5,7 @@ use std::path::Path;
 use std::process::Command;
 
 /// Each crate that is published, and the others of them that it draws in, directly or through others: the floors beneath it.
-const BENEATH: [(&str, &[&str]); 11] = [
+const BENEATH: [(&str, &[&str]); 12] = [
     ("fmi-hazard-stop", &[]),
     ("fmi-hazard-examples", &[]),
     ("fmi-hazard-search", &[]),
@@ -14,6 +14,10 @@ const BENEATH: [(&str, &[&str]); 11] = [
     ("fmu-host", &["fmi-hazard-stop", "fmu-self-test"]),
     ("fmi-hazard-human", &["fmi-hazard-stop"]),
     ("fmi-hazard-criteria", &["fmi-hazard-human", "fmi-hazard-stop"]),
+    (
+        "fmi-hazard-record",
+        &["fmi-hazard-criteria", "fmi-hazard-human", "fmi-hazard-outcome", "fmi-hazard-stop", "fmu-self-test"],
+    ),
     (
         "fmi-hazard-cell",
         &[
@@ -32,6 +36,7 @@ const BENEATH: [(&str, &[&str]); 11] = [
             "fmi-hazard-criteria",
             "fmi-hazard-human",
             "fmi-hazard-outcome",
+            "fmi-hazard-record",
             "fmi-hazard-search",
             "fmi-hazard-stop",
             "fmu-host",
@@ -46,6 +51,7 @@ const BENEATH: [(&str, &[&str]); 11] = [
             "fmi-hazard-examples",
             "fmi-hazard-human",
             "fmi-hazard-outcome",
+            "fmi-hazard-record",
             "fmi-hazard-search",
             "fmi-hazard-simulation",
             "fmi-hazard-stop",
@@ -56,7 +62,8 @@ const BENEATH: [(&str, &[&str]); 11] = [
 ];
 
 /// What of others' packages a crate must not draw in: geometry into what hosts FMUs or searches, and the loading of code into what does not.
-const NEVER: [(&str, &[&str]); 6] = [
+const NEVER: [(&str, &[&str]); 7] = [
+    ("fmi-hazard-record", &["libloading", "quick-xml", "zip", "clap"]),
     ("fmu-host", &["parry3d-f64", "nalgebra", "clap"]),
     ("fmu-self-test", &["libloading", "quick-xml", "zip"]),
     ("fmi-hazard-search", &["parry3d-f64", "nalgebra", "libloading", "serde", "clap"]),

@@ -1,7 +1,7 @@
 //! What people hold in a hand: how far it reaches, what results say of it, and with what it does not go together. That planes and
 //! obstacles count as for arms, `rules_twice` shows.
 
-use fmi_hazard::report::model::{ScanReport, Verdict};
+use fmi_hazard::record::model::{ScanReport, Verdict};
 use fmi_hazard::scan::prepare::{Prepared, prepare};
 
 use crate::common::anywhere::{cell, look};

@@ -10,7 +10,7 @@ use crate::common::examples;
 use crate::common::guarded::every_sequence;
 use crate::sample;
 use fmi_hazard::geometry::Vec3;
-use fmi_hazard::report::model::ScanReport;
+use fmi_hazard::record::model::ScanReport;
 use fmi_hazard::scan::prepare::prepare;
 
 /// Corners on a capsule, in rings of so many, half as many rings.

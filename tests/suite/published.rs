@@ -6,13 +6,14 @@ use std::path::Path;
 use std::process::Command;
 
 /// What is read in building a package: its name, its folder, and what of that: each is named in a `build.rs` or holds what a source includes.
-const READ: [(&str, &str, &[&str]); 11] = [
+const READ: [(&str, &str, &[&str]); 12] = [
     ("fmi-hazard", "", &["src", "benches"]),
     ("fmi-hazard-stop", "crates/stop", &["build.rs", "src"]),
     ("fmi-hazard-search", "crates/search", &["src"]),
     ("fmi-hazard-outcome", "crates/outcome", &["src"]),
     ("fmi-hazard-human", "crates/human", &["src"]),
     ("fmi-hazard-criteria", "crates/criteria", &["src"]),
+    ("fmi-hazard-record", "crates/record", &["src"]),
     ("fmi-hazard-cell", "crates/cell", &["src"]),
     ("fmi-hazard-simulation", "crates/simulation", &["src"]),
     ("fmu-self-test", "crates/self-test", &["src"]),

@@ -8,7 +8,7 @@ use crate::common::guarded::guarded;
 use crate::common::{test_fmus, write};
 use crate::sample;
 use fmi_hazard::obligations::{Need, Standing};
-use fmi_hazard::report::anywhere::Anywhere;
+use fmi_hazard::record::anywhere::Anywhere;
 use fmi_hazard::scan::StateChoice;
 use fmi_hazard::scan::anywhere::{Effort, Until, anywhere};
 use fmi_hazard::scan::prepare::prepare;

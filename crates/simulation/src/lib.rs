@@ -13,7 +13,6 @@
 //! - `befallen`: what befalls people in one action
 //! - `behind`: what comes behind the first hazard by contact
 //! - [`imagination`]: what a sequence would lead to if the robots moved as they were seen to
-//! - [`coverage`]: what a run has seen, so that "no hazard" is never empty
 //! - [`motion`]: whether the speeds that the FMU tells are those at which it moves
 //! - [`replay`]: one sequence from a fresh instance, with no restore
 //!
@@ -23,7 +22,6 @@ pub mod befallen;
 pub(crate) mod behind;
 pub mod between;
 pub mod bound;
-pub mod coverage;
 pub mod curtain;
 pub mod encounter;
 pub mod going;
@@ -38,7 +36,7 @@ pub mod simulation;
 pub mod threads;
 pub mod world;
 
-pub use coverage::Coverage;
+pub use fmi_hazard_record::coverage::{self, Coverage};
 pub use simulation::{Instant, Options, Simulation, Snapshot};
 pub use world::World;
 
@@ -48,3 +46,9 @@ use fmi_hazard_human::{geometry, human, standards};
 use fmi_hazard_search as search;
 use fmi_hazard_stop as stop;
 use fmu_host::host;
+
+/// Nothing seen yet of this cell.
+#[must_use]
+pub fn nothing_seen(cell: &cell::Workcell) -> Coverage {
+    Coverage::of(cell.sensors.len(), cell.controls.len(), cell.robots.iter().map(|robot| robot.name.as_str()))
+}

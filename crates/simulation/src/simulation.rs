@@ -469,7 +469,7 @@ impl<P: Plant> Simulation<P> {
 
     /// Walks, runs the sensors and the FMU, and compares people and robots at every step.
     fn work_out(&mut self, action: Action) -> Result<Outcome, PlantError> {
-        let mut coverage = Coverage::of(&self.world.cell);
+        let mut coverage = crate::nothing_seen(&self.world.cell);
         coverage.actions = 1;
         self.robots.take_reached();
         let Gone { walks, sensed, advanced } = self.go(action)?;

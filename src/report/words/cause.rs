@@ -4,10 +4,10 @@ use std::collections::BTreeMap;
 
 use serde::Serialize;
 
-use crate::report::cause::{Cause, CauseAdvice, Change, NO_CHANGE, capitalised};
-use crate::report::hazard::Hazard;
-use crate::report::headline::confirmed_of;
-use crate::report::judged::ratio_words;
+use crate::record::cause::{Cause, CauseAdvice, Change, NO_CHANGE, capitalised};
+use crate::record::hazard::Hazard;
+use crate::record::headline::confirmed_of;
+use crate::record::judged::ratio_words;
 use crate::standards::BodyRegion;
 
 /// Of one cause.

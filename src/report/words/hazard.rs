@@ -3,11 +3,11 @@
 use serde::Serialize;
 
 use crate::hazard::Class;
-use crate::report::figures::{grouped, plural};
-use crate::report::hazard::{Hazard, SensorState, Through};
-use crate::report::headline::confirmed_words;
-use crate::report::judged::{LimitKind, NONE_ALLOWED, measure_cell};
-use crate::report::worked::Working;
+use crate::record::figures::{grouped, plural};
+use crate::record::hazard::{Hazard, SensorState, Through};
+use crate::record::headline::confirmed_words;
+use crate::record::judged::{LimitKind, NONE_ALLOWED, measure_cell};
+use crate::record::worked::Working;
 
 /// Of one hazard.
 #[derive(Serialize)]

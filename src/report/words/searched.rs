@@ -3,10 +3,10 @@
 use serde::Serialize;
 
 use super::{Row, Told};
-use crate::report::anywhere::ANYWHERE;
-use crate::report::certificate::{Certificate, Residual};
+use crate::record::anywhere::ANYWHERE;
+use crate::record::certificate::{Certificate, Residual};
+use crate::record::figures::{grouped, plural};
 use crate::report::covered::{self, Bounds, NO_SENSORS};
-use crate::report::figures::{grouped, plural};
 
 /// One part.
 #[derive(Serialize)]

@@ -3,10 +3,10 @@
 use serde_json::Value;
 
 use super::Row;
-use crate::fmi::number;
-use crate::host::selftest::{Agreement, SelfTest};
-use crate::report::forces::speed_words;
-use crate::report::model::Settings;
+use crate::record::forces::speed_words;
+use crate::record::model::Settings;
+use fmu_self_test::number;
+use fmu_self_test::{Agreement, SelfTest};
 
 /// Units by what names end in.
 const UNITS: [(&str, &str); 4] = [("_m_s", " m/s"), ("_s", " s"), ("_m", " m"), ("_deg", " degrees")];

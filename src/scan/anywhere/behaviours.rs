@@ -10,7 +10,7 @@ use super::{Looking, SEED, Tell, Told};
 use crate::host::{Hosted, PlantError, Policy};
 use crate::obligations::readings::like;
 use crate::obligations::{Assumption, Point};
-use crate::report::figures::grouped;
+use crate::record::figures::grouped;
 use crate::scan::footing::Footing;
 use crate::scan::prepare::Prepared;
 use crate::search::Rng;

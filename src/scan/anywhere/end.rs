@@ -4,7 +4,7 @@
 use std::collections::BTreeSet;
 
 use super::map::{Walkable, rectangles};
-use crate::report::anywhere::Anywhere;
+use crate::record::anywhere::Anywhere;
 use crate::sim::anywhere::told_in;
 
 /// How some of a search ended.

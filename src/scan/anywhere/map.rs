@@ -6,7 +6,7 @@ use super::refusal;
 use crate::geometry::Vec3;
 use crate::geometry::distance::point_segment;
 use crate::geometry::polygon::contains;
-use crate::report::anywhere::{Cell, Ground};
+use crate::record::anywhere::{Cell, Ground};
 use crate::report::topview::Part;
 use crate::scan::outline::part;
 use crate::scan::prepare::Prepared;

@@ -10,7 +10,7 @@ use super::behaviours::{NotAll, Outcome, Refused, Stands, because, in_seconds, i
 use super::{Looking, SEED, Tell, Told};
 use crate::host::Hosted;
 use crate::obligations::Assumption;
-use crate::report::figures::grouped;
+use crate::record::figures::grouped;
 use crate::search::Rng;
 use crate::search::behaviours::decided::{LONGER_WALKS, Question, TIMES_HELD, Why, each_walk, held_for, steps_of};
 use crate::search::behaviours::net::{Covers, Gap, Off, find, gap};

@@ -4,7 +4,7 @@ use super::super::accepted_for::fmu_digest;
 use super::Looking;
 use super::fields::{Fields, options};
 use crate::obligations::{Assumption, Engine, Need, Point, Reply};
-use crate::report::figures::grouped;
+use crate::record::figures::grouped;
 use crate::scan::speeds::Speeds;
 
 /// A search that has ended.

@@ -6,7 +6,7 @@ use std::collections::BTreeSet;
 use crate::cell::Workcell;
 use crate::hazard::cause::{Kind, Member, TOGETHER_M, apart, causes};
 use crate::hazard::{Finding, Part};
-use crate::report::hazard::Hazard;
+use crate::record::hazard::Hazard;
 use crate::scan::causes::member;
 use crate::scan::prepare::Prepared;
 

@@ -5,8 +5,8 @@
 use toml::{Table, Value};
 
 use crate::cell::Workcell;
-use crate::report::begin::Begin;
-use crate::report::hazard::Hazard;
+use crate::record::begin::Begin;
+use crate::record::hazard::Hazard;
 use crate::scan::prepare::Prepared;
 
 /// Where a sequence begins, and how many actions it may have.

@@ -12,7 +12,7 @@ use super::standpoint::MOST_ACTIONS;
 use super::{Bench, Goal, Why};
 use crate::cell::knob::Knob;
 use crate::human::action::ACTION_S;
-use crate::report::advice::{Checked, Met, OneLess, Others, Outcome, Remedy};
+use crate::record::advice::{Checked, Met, OneLess, Others, Outcome, Remedy};
 use crate::standards::iso_13855::WALKING_SPEED_M_S;
 
 /// After so many counterexamples steps grow.

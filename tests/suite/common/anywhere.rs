@@ -5,7 +5,7 @@ use std::path::Path;
 
 use super::guarded::bar;
 use super::write;
-use fmi_hazard::report::anywhere::Anywhere;
+use fmi_hazard::record::anywhere::Anywhere;
 use fmi_hazard::scan::StateChoice;
 use fmi_hazard::scan::anywhere::{Effort, Looked, Tell, Until, anywhere};
 use fmi_hazard::scan::prepare::prepare;

@@ -12,7 +12,7 @@ impl World {
     /// Nothing seen yet of the cell, but which robots are within reach by lengths alone.
     #[must_use]
     pub fn nothing_seen(&self) -> Coverage {
-        let mut coverage = Coverage::of(&self.cell);
+        let mut coverage = crate::nothing_seen(&self.cell);
         let actions = usize::try_from(self.cell.search.actions).unwrap_or(usize::MAX);
         for own in self.people() {
             let reachable = RobotBounds::new(&own.cell).each(own.position(&own.start()), own.reach_m(), actions);

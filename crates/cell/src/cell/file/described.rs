@@ -154,7 +154,7 @@ impl Checker<'_> {
             let help = "the path is relative to the cell file".to_owned();
             self.source.error(named.span(), "named here", message, Some(help))
         })?;
-        let shown = clean(&self.source.folder().join(&path)).display().to_string();
+        let shown = clean(self.source.folder().join(&path)).display().to_string();
         let source = Source::new(&shown, &String::from_utf8_lossy(&bytes));
         let urdf = urdf::read(&source)?;
         Ok(UrdfFile { path, source, urdf, packages })

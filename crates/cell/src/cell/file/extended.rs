@@ -26,7 +26,7 @@ pub(crate) fn extended(mut source: Source) -> Result<Source, Box<CellError>> {
             return Err(problem(message, "put some of them together"));
         }
         let beside = source.bases().last().and_then(|base| base.path.parent()).unwrap_or(Path::new(""));
-        let path = clean(&beside.join(named.get_ref()));
+        let path = clean(beside.join(named.get_ref()));
         let file = source.folder().join(&path);
         let shown = file.display().to_string();
         let text = std::fs::read_to_string(&file).map_err(|error| {

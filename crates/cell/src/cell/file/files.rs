@@ -44,7 +44,7 @@ impl Files {
 pub(crate) fn relative(path: &Path, folder: &Path) -> Option<PathBuf> {
     let absolute = |path: &Path| {
         let path = if path.as_os_str().is_empty() { Path::new(".") } else { path };
-        clean(&std::path::absolute(path).unwrap_or_else(|_| path.to_owned()))
+        clean(std::path::absolute(path).unwrap_or_else(|_| path.to_owned()))
     };
     let (path, folder) = (absolute(path), absolute(folder));
     let shared = path.components().zip(folder.components()).take_while(|(a, b)| a == b).count();
@@ -58,7 +58,7 @@ pub(crate) fn relative(path: &Path, folder: &Path) -> Option<PathBuf> {
 /// The same as text; absolute where it cannot be told from there.
 #[must_use]
 pub fn named_from(path: &Path, folder: &Path) -> String {
-    let absolute = || clean(&std::path::absolute(path).unwrap_or_else(|_| path.to_owned()));
+    let absolute = || clean(std::path::absolute(path).unwrap_or_else(|_| path.to_owned()));
     relative(path, folder).unwrap_or_else(absolute).display().to_string()
 }
 

@@ -355,5 +355,5 @@ fn move_packages(table: &mut DeTable<'_>, folder: &Path) {
 }
 
 fn moved(named: &mut DeString<'_>, folder: &Path) {
-    *named = Cow::Owned(clean(&folder.join(named.as_ref())).display().to_string());
+    *named = Cow::Owned(clean(folder.join(named.as_ref())).display().to_string());
 }

@@ -230,7 +230,7 @@ impl Checker<'_> {
         if !is_gltf {
             return Ok(vec![(String::new(), mesh::read(path, &bytes).map_err(named)?)]);
         }
-        let beside = |uri: &str| Ok(read(&clean(&path.with_file_name(uri)))?.to_vec());
+        let beside = |uri: &str| Ok(read(&clean(path.with_file_name(uri)))?.to_vec());
         gltf::read(&bytes, &beside).map_err(named)
     }
 }

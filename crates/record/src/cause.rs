@@ -13,9 +13,9 @@ use super::hazard::{HELD_WORDS, Hazard, SensorState};
 use super::judged::{Judged, Measure};
 use super::paragraph::wrapped;
 use super::worked::worked_words;
-use crate::hazard::cause::LONG_S;
-use crate::hazard::{Class, Part};
 use crate::standards::BodyRegion;
+use fmi_hazard_criteria::cause::LONG_S;
+use fmi_hazard_criteria::{Class, Part};
 
 /// Hazards that are one flaw.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
@@ -81,7 +81,7 @@ pub struct Line {
 impl Line {
     /// What is hit, in words.
     #[must_use]
-    pub(crate) const fn words(&self) -> &'static str {
+    pub const fn words(&self) -> &'static str {
         if self.held { HELD_WORDS } else { self.body_region.words() }
     }
 }
@@ -116,7 +116,7 @@ pub struct Change {
 
 /// What is known of the worst hazard of a cause besides its record: from its sequence once more, and from the cell.
 #[derive(Clone, Debug, Default, PartialEq)]
-pub(crate) struct Circumstances {
+pub struct Circumstances {
     /// Whether the link had become slower since the first sensor reported the person.
     pub slowed: bool,
     /// How far the person stands outside of the zones of sensors that report nobody, m, by name.
@@ -138,7 +138,7 @@ impl Cause {
     /// # Panics
     /// Never: a cause has a member.
     #[must_use]
-    pub(crate) fn new(
+    pub fn new(
         id: String,
         (robot, part): (String, Part),
         hazards: &[&Hazard],
@@ -191,39 +191,39 @@ impl Cause {
 
     /// Force and limit of the worst hazard.
     #[must_use]
-    pub(crate) fn measured(&self) -> Measure {
+    pub fn measured(&self) -> Measure {
         let figures = (self.force_n, self.limit_n, self.ratio, self.speed_m_s.unwrap_or_default());
         Measure::of(self.class, self.judged.as_ref(), figures)
     }
 
     /// The same in words.
     #[must_use]
-    pub(crate) fn force_words(&self) -> String {
+    pub fn force_words(&self) -> String {
         self.measured().words()
     }
 
     /// From when on it is met.
     #[must_use]
-    pub(crate) fn earliest_words(&self) -> String {
+    pub fn earliest_words(&self) -> String {
         format!("from {:.2} s on", self.earliest_time_s)
     }
 
     /// How many ways lead to it.
     #[must_use]
-    pub(crate) fn ways_words(&self) -> String {
+    pub fn ways_words(&self) -> String {
         plural(self.hazards.len(), "way")
     }
 
     /// How many of all sequences it is, where they were counted.
     #[must_use]
-    pub(crate) fn share_words(&self) -> Option<String> {
+    pub fn share_words(&self) -> Option<String> {
         self.share.map(|share| format!("{} of all sequences", percent(share)))
     }
 }
 
 /// A cause with its hazards, of a scan of any version.
 #[derive(Clone, Debug)]
-pub(crate) struct Grouped<'a> {
+pub struct Grouped<'a> {
     /// Its id.
     pub id: &'a str,
     /// What hits what, in few words.
@@ -237,14 +237,14 @@ pub(crate) struct Grouped<'a> {
 impl Grouped<'_> {
     /// As a title: the id, and what hits what.
     #[must_use]
-    pub(crate) fn title(&self) -> String {
+    pub fn title(&self) -> String {
         format!("{} {}", self.id, self.what)
     }
 }
 
 /// The hazards of a scan by cause. Those of older versions, which knew no causes, are one each.
 #[must_use]
-pub(crate) fn grouped<'a>(causes: &'a [Cause], hazards: &'a [Hazard]) -> Vec<Grouped<'a>> {
+pub fn grouped<'a>(causes: &'a [Cause], hazards: &'a [Hazard]) -> Vec<Grouped<'a>> {
     let by_id: BTreeMap<&str, &Hazard> = hazards.iter().map(|hazard| (hazard.id.as_str(), hazard)).collect();
     let mut all: Vec<Grouped<'_>> = causes
         .iter()
@@ -285,7 +285,7 @@ fn also_hit(hazards: &[&Hazard]) -> String {
 
 /// With a capital letter.
 #[must_use]
-pub(crate) fn capitalised(text: &str) -> String {
+pub fn capitalised(text: &str) -> String {
     let mut letters = text.chars();
     letters.next().map_or_else(String::new, |first| first.to_uppercase().chain(letters).collect())
 }
@@ -376,7 +376,7 @@ fn joined(names: &[&str]) -> String {
 impl Change {
     /// The change, and what is left then.
     #[must_use]
-    pub(crate) fn words(&self) -> String {
+    pub fn words(&self) -> String {
         format!("{} ({})", self.change, self.left_words())
     }
 
@@ -398,7 +398,7 @@ impl Change {
 
     /// The same as a sentence of its own.
     #[must_use]
-    pub(crate) fn effect(&self) -> String {
+    pub fn effect(&self) -> String {
         match self.enough_until_s {
             Some(_) => format!("{}.", capitalised(&self.left_words())),
             None => format!("{TRIED_IN_PART}: {}.", self.left_words()),
@@ -407,7 +407,7 @@ impl Change {
 
     /// What it was held against, as a sentence.
     #[must_use]
-    pub(crate) fn checked_words(&self) -> String {
+    pub fn checked_words(&self) -> String {
         let part = if self.complete { "" } else { " (not every sequence)" };
         format!("Checked: {}{part}.", self.checked.trim_end_matches('.'))
     }
@@ -429,7 +429,7 @@ impl Change {
 impl CauseAdvice {
     /// From what came of the changes that were tried, of which some may be missing if the search `was_stopped`.
     #[must_use]
-    pub(crate) fn of(remedies: &[Remedy], was_stopped: bool) -> Self {
+    pub fn of(remedies: &[Remedy], was_stopped: bool) -> Self {
         let mut changes: Vec<Change> = remedies.iter().filter_map(Change::of).collect();
         changes.sort_by_key(|change| (!change.removes_all, change.enough_until_s.is_none(), !change.complete));
         let tried = remedies.iter().filter(|remedy| !matches!(remedy.outcome, Outcome::NotTried { .. })).count();
@@ -451,22 +451,22 @@ impl CauseAdvice {
 
     /// For people: one line a change.
     #[must_use]
-    pub(crate) fn render(&self) -> String {
+    pub fn render(&self) -> String {
         self.changes.iter().map(|change| wrapped(&change.words(), "   ")).collect()
     }
 
     /// For a cause that is gone with a worse one.
     #[must_use]
-    pub(crate) fn as_for_a_worse_one(changes: Vec<Change>) -> Self {
+    pub fn as_for_a_worse_one(changes: Vec<Change>) -> Self {
         Self { changes, note: format!("The same changes as for a worse cause. {NO_PROOF}") }
     }
 }
 
 /// Of changes that are not shown to be enough.
-pub(crate) const TRIED_IN_PART: &str = "Tried in part";
+pub const TRIED_IN_PART: &str = "Tried in part";
 
 /// What helps where nothing does.
-pub(crate) const NO_CHANGE: &str = "no single change that was tried";
+pub const NO_CHANGE: &str = "no single change that was tried";
 
 /// What advice is worth.
 const NO_PROOF: &str = "Tried in the model only, from the starts and for the times said here: no proof for the real cell. \

@@ -45,27 +45,27 @@ pub struct Recorded {
 impl Recorded {
     /// What it looked for; none if it does not say.
     #[must_use]
-    pub(crate) fn looks(&self) -> Option<Looks> {
+    pub fn looks(&self) -> Option<Looks> {
         Looks::of(&self.settings)
     }
 
     /// Where and when its person begins, of a scan from a start; none if it does not say. Versions that did not always write it
     /// down did so where a cell had several beginnings.
     #[must_use]
-    pub(crate) fn begins(&self) -> Option<Begin> {
+    pub fn begins(&self) -> Option<Begin> {
         let of_subject = || self.subject.beginning.as_ref().map(BeginningSubject::begin);
         self.looks().and_then(|looks| looks.begins).or_else(of_subject)
     }
 
     /// Whether it would have told this hazard of an earlier scan if it were still there.
     #[must_use]
-    pub(crate) fn would_tell(&self, earlier: &Self, hazard: &Hazard) -> bool {
+    pub fn would_tell(&self, earlier: &Self, hazard: &Hazard) -> bool {
         self.complete() && self.narrower(earlier, hazard).is_none()
     }
 
     /// Why it may not have told this hazard of an earlier scan though it is still there, if it is complete; nothing if it would have.
     #[must_use]
-    pub(crate) fn narrower(&self, earlier: &Self, hazard: &Hazard) -> Option<Narrower> {
+    pub fn narrower(&self, earlier: &Self, hazard: &Hazard) -> Option<Narrower> {
         if self.standard_edition != earlier.standard_edition {
             return Some(Narrower::Edition);
         }
@@ -83,7 +83,7 @@ impl Recorded {
 impl RecordedSubject {
     /// Whether it is the same cell file, and all that it extends or names besides FMUs is the same.
     #[must_use]
-    pub(crate) fn is_cell(&self, sha256: &str, files: &[FileSubject]) -> bool {
+    pub fn is_cell(&self, sha256: &str, files: &[FileSubject]) -> bool {
         let contents = |files: &[FileSubject]| files.iter().map(|file| file.sha256.clone()).collect::<Vec<_>>();
         self.cell_sha256 == sha256 && contents(&self.files) == contents(files)
     }
@@ -92,7 +92,7 @@ impl RecordedSubject {
 /// Whether a scan is complete: whatever it did not find is not there, within what it asks. All that calls something gone
 /// asks this.
 #[must_use]
-pub(crate) fn is_complete(verdict: Verdict, strategy: &str, certified: bool) -> bool {
+pub fn is_complete(verdict: Verdict, strategy: &str, certified: bool) -> bool {
     match verdict {
         // Where nothing moved, or nobody was seen, nothing was shown; nor where it was ended.
         Verdict::Inconclusive | Verdict::FmuFailed | Verdict::Interrupted => false,
@@ -162,7 +162,7 @@ pub enum RecordedError {
 impl RecordedError {
     /// What to do about it.
     #[must_use]
-    pub(crate) const fn help(&self) -> &'static str {
+    pub const fn help(&self) -> &'static str {
         match self {
             Self::Unreadable { .. } | Self::NotAScan { .. } => {
                 "give the scan.json of a scan, or the folder with its results"
@@ -175,7 +175,7 @@ impl RecordedError {
 impl Recorded {
     /// What the scan found against the cause of a hazard, if it looked and found something.
     #[must_use]
-    pub(crate) fn advice_for(&self, hazard: &str) -> Option<&CauseAdvice> {
+    pub fn advice_for(&self, hazard: &str) -> Option<&CauseAdvice> {
         let cause = self.causes.iter().find(|cause| cause.hazards.iter().any(|id| id == hazard))?;
         cause.advice.as_ref().filter(|advice| !advice.changes.is_empty())
     }
@@ -200,19 +200,19 @@ impl Recorded {
 
     /// Where what was scanned is, if it is still beside the result as it was.
     #[must_use]
-    pub(crate) fn subject_path(&self) -> PathBuf {
+    pub fn subject_path(&self) -> PathBuf {
         found(&self.subject.path, &self.folder)
     }
 
     /// The same of the cell file, if one was named beside it.
     #[must_use]
-    pub(crate) fn cell_file(&self) -> Option<PathBuf> {
+    pub fn cell_file(&self) -> Option<PathBuf> {
         self.subject.cell_file.as_ref().map(|file| found(file, &self.folder))
     }
 
     /// Whether it is about people from anywhere, and none of the cell's beginnings.
     #[must_use]
-    pub(crate) fn is_from_anywhere(&self) -> bool {
+    pub fn is_from_anywhere(&self) -> bool {
         self.strategy() == ANYWHERE
     }
 
@@ -222,7 +222,7 @@ impl Recorded {
 
     /// Whether it is complete, see [`is_complete`].
     #[must_use]
-    pub(crate) fn complete(&self) -> bool {
+    pub fn complete(&self) -> bool {
         let certified = self.certificate.as_ref().is_some_and(|certificate| certificate.complete);
         // One of an earlier version does not say what it rests on.
         is_complete(self.verdict, self.strategy(), certified) && self.obligations.clean().is_some()
@@ -232,8 +232,8 @@ impl Recorded {
 /// What a result in `folder` names with `path`. Results of earlier versions name it as it was given, from the folder in which
 /// the scan was started.
 #[must_use]
-pub(crate) fn found(path: &Path, folder: &Path) -> PathBuf {
-    let beside = clean(&folder.join(path));
+pub fn found(path: &Path, folder: &Path) -> PathBuf {
+    let beside = clean(folder.join(path));
     // Where `..` goes through a link, the system knows better.
     let ways = [beside.clone(), folder.join(path), path.to_owned()];
     ways.into_iter().find(|way| way.exists()).unwrap_or(beside)

@@ -7,10 +7,10 @@ use super::begin::Begin;
 use super::immovable;
 use super::judged::{Clamping, Judged, LimitKind, Measure};
 use super::worked::{Working, worked_words};
-use crate::hazard::{Class, Finding, Group, finding};
 use crate::human::action::Action;
 use crate::human::arm::ArmModel;
 use crate::standards::BodyRegion;
+use fmi_hazard_criteria::{Class, Finding, Group, finding};
 
 /// What is hit where it is not the hand itself.
 pub(crate) const HELD_WORDS: &str = "thing in the hand";
@@ -132,7 +132,7 @@ pub struct FirstContact {
 impl FirstContact {
     /// That of a finding.
     #[must_use]
-    pub(crate) fn of(first: &Finding, link_names: &[String], people: Option<&[String; 2]>) -> Self {
+    pub fn of(first: &Finding, link_names: &[String], people: Option<&[String; 2]>) -> Self {
         Self {
             time_s: first.time_s,
             class: first.class,
@@ -213,12 +213,7 @@ pub struct SensorState {
 impl Hazard {
     /// The record of a group; names by index.
     #[must_use]
-    pub(crate) fn new(
-        group: &Group,
-        link_names: &[String],
-        sensor_names: &[String],
-        people: Option<&[String; 2]>,
-    ) -> Self {
+    pub fn new(group: &Group, link_names: &[String], sensor_names: &[String], people: Option<&[String; 2]>) -> Self {
         let f = &group.worst;
         let c = &f.contact;
         let arm = f.arm.map(|a| Arm {
@@ -289,7 +284,7 @@ impl Hazard {
 
     /// The force that decides, N: the one that `ratio` is of, where that is a force.
     #[must_use]
-    pub(crate) fn deciding_force_n(&self) -> f64 {
+    pub fn deciding_force_n(&self) -> f64 {
         if let Some(clamping) = self.clamping() {
             return clamping.force_n;
         }
@@ -302,7 +297,7 @@ impl Hazard {
 
     /// Whether that is the force with the speed of approach.
     #[must_use]
-    pub(crate) fn is_by_approach(&self) -> bool {
+    pub fn is_by_approach(&self) -> bool {
         self.deciding_force_n().to_bits() != self.force_n.to_bits()
     }
 
@@ -340,13 +335,13 @@ impl Hazard {
 
     /// What is hit: a region of the body, or what the hand holds.
     #[must_use]
-    pub(crate) fn struck_words(&self) -> &'static str {
+    pub fn struck_words(&self) -> &'static str {
         if self.arm.as_ref().is_some_and(|arm| arm.held_m.is_some()) { HELD_WORDS } else { self.body_region.words() }
     }
 
     /// The same with what it means.
     #[must_use]
-    pub(crate) fn sentence(&self) -> String {
+    pub fn sentence(&self) -> String {
         let described = self.described();
         match self.class {
             Class::Force => format!(
@@ -386,7 +381,7 @@ impl Hazard {
 
 impl Hazard {
     /// Gives what holds a part of the body its name, where it is an obstacle.
-    pub(crate) fn name_obstacles(&mut self, name: impl Fn(usize) -> String) {
+    pub fn name_obstacles(&mut self, name: impl Fn(usize) -> String) {
         if let Some(judged) = &mut self.judged {
             judged.name_obstacles(name);
         }
@@ -394,19 +389,19 @@ impl Hazard {
 
     /// What holds the part of the body, if that is what counts.
     #[must_use]
-    pub(crate) fn clamping(&self) -> Option<&Clamping> {
+    pub fn clamping(&self) -> Option<&Clamping> {
         self.judged.as_ref().filter(|_| self.class == Class::Clamping)?.clamping.as_ref()
     }
 
     /// The limit of the force that decides, N.
     #[must_use]
-    pub(crate) fn deciding_limit_n(&self) -> f64 {
+    pub fn deciding_limit_n(&self) -> f64 {
         self.clamping().map_or(self.limit_n, |clamping| clamping.limit_n)
     }
 
     /// The speed below which it would be none, in few words.
     #[must_use]
-    pub(crate) fn safe_words(&self) -> String {
+    pub fn safe_words(&self) -> String {
         let below = match self.class {
             Class::Force | Class::HeadContact if self.body_region.permits_no_contact() => None,
             Class::Force => Some(self.safe_below_m_s),
@@ -423,14 +418,14 @@ impl Hazard {
 
     /// What is broken, and by how much.
     #[must_use]
-    pub(crate) fn measured(&self) -> Measure {
+    pub fn measured(&self) -> Measure {
         let figures = (self.deciding_force_n(), self.deciding_limit_n(), self.ratio, self.speed_m_s);
         Measure::of(self.class, self.judged.as_ref(), figures)
     }
 
     /// The same in few words.
     #[must_use]
-    pub(crate) fn measure_words(&self) -> String {
+    pub fn measure_words(&self) -> String {
         self.measured().words()
     }
 }

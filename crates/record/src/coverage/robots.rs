@@ -7,7 +7,7 @@ use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 use super::Coverage;
-use crate::hazard::STANDSTILL_M_S;
+use fmi_hazard_criteria::STANDSTILL_M_S;
 
 /// Figures of one robot.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]

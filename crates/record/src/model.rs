@@ -13,24 +13,24 @@ use super::people::{BodyRecord, SecondRecord};
 use super::share::CycleShare;
 use super::speeds::SpeedRecord;
 use super::worked::ControlRecord;
-use crate::hazard::Criterion;
-use crate::host::selftest::SelfTest;
+use crate::coverage::Coverage;
 use crate::human::Ability;
 use crate::human::action::Action;
 use crate::obligations::Obligations;
 pub use crate::obligations::Verdict;
-use crate::sim::Coverage;
 use crate::standards::provenance::Table;
+use fmi_hazard_criteria::Criterion;
+use fmu_self_test::SelfTest;
 
 /// Version of the format of `scan.json`; grows when a reader of the old one would misread the new one.
-pub(crate) const SCHEMA_VERSION: u32 = 3;
+pub const SCHEMA_VERSION: u32 = 3;
 
 /// The edition of the standard behind the limits, as printed.
-pub(crate) const STANDARD_EDITION: &str = "ISO/TS 15066:2016 Annex A (contents now in ISO 10218-2:2025)";
+pub const STANDARD_EDITION: &str = "ISO/TS 15066:2016 Annex A (contents now in ISO 10218-2:2025)";
 
 /// The JSON Schema of `scan.json` (draft 2020-12). Within one [`SCHEMA_VERSION`] properties may be added.
 #[must_use]
-pub(crate) fn json_schema() -> serde_json::Value {
+pub fn json_schema() -> serde_json::Value {
     let settings = schemars::generate::SchemaSettings::draft2020_12().for_serialize();
     settings.into_generator().into_root_schema_for::<ScanReport>().to_value()
 }
@@ -98,7 +98,7 @@ pub struct Headline {
 impl Headline {
     /// Of a result that has none.
     #[must_use]
-    pub(crate) fn of_an_earlier_version() -> Self {
+    pub fn of_an_earlier_version() -> Self {
         let says = "This result was written by an earlier version, which did not say what it rests on. Scan again.";
         Self { says: says.to_owned(), covers: String::new() }
     }
@@ -132,7 +132,7 @@ pub struct Subject {
 impl Subject {
     /// Name of the cell, and which of its beginnings it is if there are several.
     #[must_use]
-    pub(crate) fn title(&self) -> String {
+    pub fn title(&self) -> String {
         match &self.beginning {
             Some(beginning) if beginning.of > 1 => {
                 format!("{}, beginning {} of {}", self.cell, beginning.number, beginning.of)
@@ -160,20 +160,20 @@ pub struct BeginningSubject {
 impl BeginningSubject {
     /// Whether it is the same start at the same time, whatever its number.
     #[must_use]
-    pub(crate) fn same(&self, other: &Self) -> bool {
+    pub fn same(&self, other: &Self) -> bool {
         self.begin().bits() == other.begin().bits()
     }
 
     /// The same without its number.
     #[must_use]
-    pub(crate) const fn begin(&self) -> Begin {
+    pub const fn begin(&self) -> Begin {
         let Self { number: _, of: _, xy_m, heading_deg, begins_s } = *self;
         Begin { xy_m, heading_deg, begins_s }
     }
 
     /// For people.
     #[must_use]
-    pub(crate) fn words(&self) -> String {
+    pub fn words(&self) -> String {
         self.begin().words()
     }
 }

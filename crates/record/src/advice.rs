@@ -8,9 +8,9 @@ use serde::Serialize;
 use super::begin::Begin;
 use super::figures::grouped;
 use super::paragraph::wrapped;
-use crate::hazard::criterion::Class;
 use crate::human::Action;
 use crate::standards::BodyRegion;
+use fmi_hazard_criteria::criterion::Class;
 
 /// A change of the cell against a hazard.
 #[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
@@ -193,7 +193,7 @@ impl Met {
 impl Checked {
     /// Whether every sequence was looked at, from each of the cell's beginnings that it is about.
     #[must_use]
-    pub(crate) fn is_complete(&self) -> bool {
+    pub fn is_complete(&self) -> bool {
         !self.complete.is_empty() && self.complete.iter().all(|complete| complete.reasons.is_empty())
     }
 
@@ -212,7 +212,7 @@ impl Checked {
 
     /// Which of two says more.
     #[must_use]
-    pub(crate) fn rank(&self) -> u8 {
+    pub fn rank(&self) -> u8 {
         u8::from(self.is_complete()) + u8::from(self.is_enough())
     }
 
@@ -272,7 +272,7 @@ impl Checked {
 impl Remedy {
     /// One line as soon as it is known; nothing if it is no advice.
     #[must_use]
-    pub(crate) fn told(&self) -> Option<String> {
+    pub fn told(&self) -> Option<String> {
         match &self.outcome {
             Outcome::Sufficient(checked) if checked.is_enough() => Some(format!("{}: no hazard is left", self.change)),
             Outcome::Sufficient(_) => {

@@ -55,7 +55,7 @@ pub struct Certificate {
 
 impl Certificate {
     /// Once it is known what it rests on.
-    pub(crate) fn close(&mut self, obligations: &Obligations) {
+    pub fn close(&mut self, obligations: &Obligations) {
         self.reasons = obligations.reasons();
         self.complete = obligations.clean().is_some();
         if !self.complete {

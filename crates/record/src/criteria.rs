@@ -3,7 +3,7 @@
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
-use crate::hazard::{Class, Criterion};
+use fmi_hazard_criteria::{Class, Criterion};
 
 /// What counts as unsafe.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
@@ -109,7 +109,7 @@ impl StatedStop {
 impl CriteriaRecord {
     /// In words, for people.
     #[must_use]
-    pub(crate) fn words(&self) -> String {
+    pub fn words(&self) -> String {
         let mut all = Vec::new();
         match self.transient_force {
             Some(Criterion::Absolute) => all.push("transient force".to_owned()),

@@ -21,13 +21,13 @@ use super::model::Settings;
 use super::narrower::Narrower;
 use super::people::{BodyRecord, SecondRecord};
 use super::worked::ControlRecord;
-use crate::hazard::{Class, Criterion};
 use crate::human::Ability;
 use crate::human::{ControlKind, ControlledBy};
+use fmi_hazard_criteria::{Class, Criterion};
 
 /// The settings that decide what is told.
 #[derive(Clone, Debug, PartialEq, Deserialize)]
-pub(crate) struct Looks {
+pub struct Looks {
     /// Which speed makes the force that decides.
     #[serde(default)]
     pub speed_criterion: Criterion,
@@ -132,7 +132,7 @@ impl Looks {
 
     /// Takes what it does not say of where the person begins, and of the body, from what another says of the same cell file. Which of
     /// several beginnings it was, both would say.
-    pub(crate) fn or_of(&mut self, other: &Self) {
+    pub fn or_of(&mut self, other: &Self) {
         if self.until_s.is_none() {
             self.begins = self.begins.or(other.begins);
         }
@@ -150,7 +150,7 @@ impl Looks {
     /// Why a hazard of `earlier`, run here again from where it began then with the body that the person had then, may not be told
     /// though it is there; nothing if it would be told.
     #[must_use]
-    pub(crate) fn judges_less(&self, earlier: &Self, hazard: &Hazard) -> Option<Narrower> {
+    pub fn judges_less(&self, earlier: &Self, hazard: &Hazard) -> Option<Narrower> {
         let Self {
             speed_criterion: _,
             criteria: _,
@@ -183,12 +183,7 @@ impl Looks {
     /// Why a scan that accounted for everything, and found hazards of these classes, may not have told this hazard of an earlier
     /// scan though it is still there; nothing if it would have.
     #[must_use]
-    pub(crate) fn narrower(
-        &self,
-        earlier: &Self,
-        hazard: &Hazard,
-        found: impl Iterator<Item = Class>,
-    ) -> Option<Narrower> {
+    pub fn narrower(&self, earlier: &Self, hazard: &Hazard, found: impl Iterator<Item = Class>) -> Option<Narrower> {
         let when = |narrower: bool, what: Narrower| narrower.then_some(what);
         self.begins_otherwise(earlier)
             .or_else(|| when(!self.is_as_long(earlier, hazard), Narrower::Horizon))

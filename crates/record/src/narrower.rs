@@ -4,12 +4,12 @@
 use schemars::JsonSchema;
 use serde::Serialize;
 
-use crate::hazard::Class;
+use fmi_hazard_criteria::Class;
 
 /// What of a later question is narrower than in an earlier one.
 #[derive(Clone, Debug, PartialEq, Eq, PartialOrd, Ord, Serialize, JsonSchema)]
 #[serde(tag = "what", rename_all = "snake_case")]
-pub(crate) enum Narrower {
+pub enum Narrower {
     /// A record does not say where its person begins, or which body they have: an older version wrote it.
     NotRecorded,
     /// One question is about people from anywhere, the other about one beginning.
@@ -79,7 +79,7 @@ pub(crate) enum Narrower {
 impl Narrower {
     /// As what "the changed cell" or "the later scan" does.
     #[must_use]
-    pub(crate) fn words(&self) -> String {
+    pub fn words(&self) -> String {
         let plain = match self {
             Self::NotRecorded => {
                 "is held against a record that does not say where the person began, or which body they had"
@@ -118,7 +118,7 @@ impl Narrower {
 
     /// What to do about it.
     #[must_use]
-    pub(crate) const fn help(&self) -> &'static str {
+    pub const fn help(&self) -> &'static str {
         match self {
             Self::NotRecorded => "scan the earlier cell again with this version",
             Self::FromElsewhere => "compare two scans from the same start, or two from anywhere",

@@ -3,9 +3,9 @@
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
-use crate::hazard::contact::{Against, Contact};
-use crate::hazard::criterion::Class;
 use crate::standards::BodyRegion;
+use fmi_hazard_criteria::contact::{Against, Contact};
+use fmi_hazard_criteria::criterion::Class;
 
 /// Whether the part of the body can give way.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
@@ -22,7 +22,7 @@ pub enum ContactKind {
 impl ContactKind {
     /// As in files.
     #[must_use]
-    pub(crate) const fn name(self) -> &'static str {
+    pub const fn name(self) -> &'static str {
         match self {
             Self::Transient => "transient",
             Self::QuasiStatic => "quasi_static",
@@ -34,7 +34,7 @@ impl ContactKind {
 impl LimitKind {
     /// As in files.
     #[must_use]
-    pub(crate) const fn name(self) -> &'static str {
+    pub const fn name(self) -> &'static str {
         match self {
             Self::Force => "force",
             Self::Pressure => "pressure",
@@ -191,7 +191,7 @@ impl Judged {
 
 /// What is broken, and by how much, in parts.
 #[derive(Clone, Debug, PartialEq, Eq)]
-pub(crate) struct Measure {
+pub struct Measure {
     /// What was measured: "270 N".
     is: String,
     /// How bad that is: "2.00x the limit"; nothing if that says it.
@@ -260,7 +260,7 @@ impl Measure {
 
     /// How bad it is, and the figures of that: "2.00x the limit", "270 N, limit 135 N".
     #[must_use]
-    pub(crate) fn worst_first(self) -> [String; 2] {
+    pub fn worst_first(self) -> [String; 2] {
         let Self { is, beyond, limit, stop: _ } = self;
         match limit {
             _ if beyond.is_empty() => [is, String::new()],
@@ -271,11 +271,11 @@ impl Measure {
 }
 
 /// Of a region that no moving robot may touch.
-pub(crate) const NO_CONTACT: &str = "no contact allowed";
+pub const NO_CONTACT: &str = "no contact allowed";
 
 /// A ratio for a region; below 1 it would read as harmless where no contact is allowed.
 #[must_use]
-pub(crate) fn ratio_words(region: BodyRegion, ratio: f64) -> String {
+pub fn ratio_words(region: BodyRegion, ratio: f64) -> String {
     match ratio < 1.0 && region.permits_no_contact() {
         true => format!("{NO_CONTACT} ({ratio:.2}x)"),
         false => format!("{ratio:.2}x"),
@@ -283,15 +283,11 @@ pub(crate) fn ratio_words(region: BodyRegion, ratio: f64) -> String {
 }
 
 /// The limit of contacts that a moving robot may not have at all.
-pub(crate) const NONE_ALLOWED: &str = "none allowed";
+pub const NONE_ALLOWED: &str = "none allowed";
 
 /// What is broken for a narrow column: measure and limit.
 #[must_use]
-pub(crate) fn measure_cell(
-    class: Class,
-    judged: Option<&Judged>,
-    (force_n, limit_n, speed_m_s): (f64, f64, f64),
-) -> String {
+pub fn measure_cell(class: Class, judged: Option<&Judged>, (force_n, limit_n, speed_m_s): (f64, f64, f64)) -> String {
     let by_pressure = judged.is_some_and(|judged| judged.limit == LimitKind::Pressure);
     match (class, judged.and_then(|j| j.pressure), judged.and_then(|j| j.separation)) {
         (Class::Clamping | Class::Pressure, Some(p), _) if by_pressure => {

@@ -17,14 +17,14 @@ pub struct Begin {
 impl Begin {
     /// For comparisons: to the last bit.
     #[must_use]
-    pub(crate) fn bits(&self) -> [u64; 4] {
+    pub fn bits(&self) -> [u64; 4] {
         let Self { xy_m: [x, y], heading_deg, begins_s } = *self;
         [x, y, heading_deg, begins_s].map(f64::to_bits)
     }
 
     /// For people.
     #[must_use]
-    pub(crate) fn words(&self) -> String {
+    pub fn words(&self) -> String {
         let [x, y] = self.xy_m;
         let heading = self.heading_deg;
         format!(

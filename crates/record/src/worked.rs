@@ -53,7 +53,7 @@ const fn verb(kind: ControlKind) -> &'static str {
 impl ControlRecord {
     /// What is done in any action that works it, behind what the person does: "presses reset", "a colleague presses reset".
     #[must_use]
-    pub(crate) fn words(&self) -> String {
+    pub fn words(&self) -> String {
         let who = if self.by == ControlledBy::Anyone { format!("{COLLEAGUE} ") } else { String::new() };
         let does = if self.door { "opens or closes" } else { verb(self.kind) };
         format!("{who}{does} {}", self.name)
@@ -63,7 +63,7 @@ impl ControlRecord {
 impl Working {
     /// What is done: "the person presses reset", "a colleague opens door".
     #[must_use]
-    pub(crate) fn words(&self) -> String {
+    pub fn words(&self) -> String {
         let who = match self.control.by {
             ControlledBy::Person if self.by_either => "one of the people",
             ControlledBy::Person => "the person",
@@ -80,11 +80,7 @@ impl Working {
 
     /// What is worked in a sequence, in order, of which this is worked in each action; by either of two people, or by the only one.
     #[must_use]
-    pub(crate) fn all(
-        worked: impl IntoIterator<Item = Presses>,
-        controls: &[ControlRecord],
-        by_either: bool,
-    ) -> Vec<Self> {
+    pub fn all(worked: impl IntoIterator<Item = Presses>, controls: &[ControlRecord], by_either: bool) -> Vec<Self> {
         let (mut all, mut open) = (Vec::new(), Presses::NONE);
         for (number, presses) in worked.into_iter().enumerate() {
             #[expect(clippy::cast_precision_loss, reason = "a few actions")]

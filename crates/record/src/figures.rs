@@ -1,7 +1,7 @@
 //! Figures in words: shares and bounds with the digits that mean something, large numbers, how many of something.
 
 /// A part of a whole, with the digits that mean something.
-pub(crate) fn percent(part: f64) -> String {
+pub fn percent(part: f64) -> String {
     match 100.0 * part {
         p if p <= 0.0 => "0 %".to_owned(),
         p if p >= 99.95 => "100 %".to_owned(),
@@ -29,12 +29,12 @@ fn places(percentage: f64) -> Option<usize> {
 }
 
 /// A bound from above: never rounded down.
-pub(crate) fn at_most(part: f64) -> String {
+pub fn at_most(part: f64) -> String {
     rounded(part, f64::ceil)
 }
 
 /// A bound from below: never rounded up.
-pub(crate) fn at_least(part: f64) -> String {
+pub fn at_least(part: f64) -> String {
     rounded(part, f64::floor)
 }
 
@@ -49,7 +49,7 @@ fn rounded(part: f64, to: fn(f64) -> f64) -> String {
 
 /// A number with its thousands set apart.
 #[must_use]
-pub(crate) fn grouped(digits: &str) -> String {
+pub fn grouped(digits: &str) -> String {
     let first = (digits.len() + 2) % 3 + 1;
     let (head, tail) = digits.split_at(first.min(digits.len()));
     let groups = tail.as_bytes().chunks(3).map(|c| String::from_utf8_lossy(c).into_owned());
@@ -58,7 +58,7 @@ pub(crate) fn grouped(digits: &str) -> String {
 
 /// So many of them.
 #[must_use]
-pub(crate) fn plural(n: usize, one: &str) -> String {
+pub fn plural(n: usize, one: &str) -> String {
     if n == 1 { format!("1 {one}") } else { format!("{n} {one}s") }
 }
 

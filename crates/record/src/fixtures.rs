@@ -5,14 +5,14 @@ use serde_json::json;
 use super::cause::Cause;
 use super::hazard::Hazard;
 use super::model::{Headline, SCHEMA_VERSION, STANDARD_EDITION, ScanReport, Settings, Spent, Subject, Verdict};
-use crate::hazard::Criterion;
-use crate::host::selftest::{Agreement, Motion, SelfTest};
+use crate::coverage::Coverage;
 use crate::obligations::verdict::Ended;
 use crate::obligations::{Engine, Need, Obligations, Point, Reply};
-use crate::sim::Coverage;
+use fmi_hazard_criteria::Criterion;
+use fmu_self_test::{Agreement, Motion, SelfTest};
 
 /// A hand is hit by so many times its limit, which is 100 N here.
-pub(crate) fn hazard(id: &str, ratio: f64) -> Hazard {
+pub fn hazard(id: &str, ratio: f64) -> Hazard {
     let force_n = 100.0 * ratio;
     let told = json!({
         "id": id,
@@ -43,11 +43,11 @@ pub(crate) fn hazard(id: &str, ratio: f64) -> Hazard {
         "earliest_time_s": 0.2,
         "shortest": { "actions": ["stop/upright"], "time_s": 0.2, "force_n": force_n, "ratio": ratio },
     });
-    serde_json::from_value(told).unwrap()
+    serde_json::from_value(told).expect("made up here")
 }
 
 /// What hazards of these ids have in common.
-pub(crate) fn cause(id: &str, hazards: &[&str]) -> Cause {
+pub fn cause(id: &str, hazards: &[&str]) -> Cause {
     let told = json!({
         "id": id,
         "sentence": "No sensor reports the person.",
@@ -64,11 +64,11 @@ pub(crate) fn cause(id: &str, hazards: &[&str]) -> Cause {
         "hazards": hazards,
         "lines": [],
     });
-    serde_json::from_value(told).unwrap()
+    serde_json::from_value(told).expect("made up here")
 }
 
 /// A cell without FMUs.
-pub(crate) fn subject() -> Subject {
+pub fn subject() -> Subject {
     Subject {
         cell: "made up".to_owned(),
         cell_found: "cell.toml".to_owned(),
@@ -83,7 +83,7 @@ pub(crate) fn subject() -> Subject {
 }
 
 /// A scan that found these.
-pub(crate) fn report(hazards: Vec<Hazard>, causes: Vec<Cause>) -> ScanReport {
+pub fn report(hazards: Vec<Hazard>, causes: Vec<Cause>) -> ScanReport {
     ScanReport {
         schema_version: SCHEMA_VERSION,
         tool: "fmi-hazard".to_owned(),

@@ -1,9 +1,10 @@
 //! Paragraphs of a terminal.
 
 /// Width of a line where no terminal says another one.
-pub(super) const WIDTH: usize = 100;
+pub const WIDTH: usize = 100;
 
-pub(super) fn wrapped(text: &str, indent: &str) -> String {
+/// A paragraph, each line behind an indent.
+pub fn wrapped(text: &str, indent: &str) -> String {
     let options = options(WIDTH).initial_indent(indent).subsequent_indent(indent);
     textwrap::fill(text, options) + "\n"
 }
@@ -16,12 +17,12 @@ fn options<'a>(width: usize) -> textwrap::Options<'a> {
 }
 
 /// Text after a head, further lines below its own beginning.
-pub(super) fn wrapped_under(head: &str, text: &str) -> String {
+pub fn wrapped_under(head: &str, text: &str) -> String {
     wrapped_to(WIDTH, head, text)
 }
 
 /// The same in lines of so many columns.
-pub(super) fn wrapped_to(width: usize, head: &str, text: &str) -> String {
+pub fn wrapped_to(width: usize, head: &str, text: &str) -> String {
     let under = " ".repeat(head.len());
     let options = options(width.max(head.len() + 20)).initial_indent(head).subsequent_indent(&under);
     textwrap::fill(text, options) + "\n"

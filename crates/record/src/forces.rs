@@ -1,7 +1,7 @@
 //! Both forces of a hazard, with the robot's own speed and with the speed of approach: in words, and whether they are far apart.
 
-use super::hazard::Hazard;
-use crate::hazard::Criterion;
+use crate::hazard::Hazard;
+use fmi_hazard_criteria::Criterion;
 
 /// Forces that differ by more than this factor are both told.
 const FAR_APART: f64 = 2.0;
@@ -14,7 +14,7 @@ const APPROACH: &str = "the speed of approach, the person's walking included";
 
 /// The speed whose force decides.
 #[must_use]
-pub(crate) const fn speed_words(decides: Criterion) -> &'static str {
+pub const fn speed_words(decides: Criterion) -> &'static str {
     match decides {
         Criterion::Absolute => OWN,
         Criterion::Approach => APPROACH,
@@ -23,7 +23,7 @@ pub(crate) const fn speed_words(decides: Criterion) -> &'static str {
 
 /// What a table with both says of them.
 #[must_use]
-pub(crate) fn both_forces_note(decides: Criterion) -> String {
+pub fn both_forces_note(decides: Criterion) -> String {
     let which = match decides {
         Criterion::Absolute => "the first",
         Criterion::Approach => "the second",
@@ -51,7 +51,7 @@ impl Hazard {
 
     /// The one that does not decide, in half a sentence, where they are far apart.
     #[must_use]
-    pub(crate) fn other_force(&self) -> Option<String> {
+    pub fn other_force(&self) -> Option<String> {
         if !self.is_far_apart() {
             return None;
         }
@@ -70,7 +70,7 @@ impl Hazard {
 
     /// Both, with the robot's own speed first.
     #[must_use]
-    pub(crate) fn both_forces(&self) -> [String; 2] {
+    pub fn both_forces(&self) -> [String; 2] {
         [
             (OWN, self.speed_m_s, self.force_n, self.own_ratio()),
             (APPROACH, self.approach_m_s, self.directed_force_n, self.directed_ratio),
@@ -82,7 +82,7 @@ impl Hazard {
 
     /// That they are far apart, and why, where they are.
     #[must_use]
-    pub(crate) fn apart_words(&self) -> Option<String> {
+    pub fn apart_words(&self) -> Option<String> {
         let why = if self.own_ratio() > self.directed_ratio {
             "Most of the robot's speed is not towards the person."
         } else {
@@ -94,7 +94,7 @@ impl Hazard {
 
 #[cfg(test)]
 mod tests {
-    use crate::report::fixtures::hazard;
+    use crate::fixtures::hazard;
 
     #[test]
     fn the_other_force_is_told_where_they_are_far_apart() {

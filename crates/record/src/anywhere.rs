@@ -1,25 +1,19 @@
 //! What is known of people who come from where no sensor sees them, on any walk and at any moment: `anywhere.json`, and
 //! words for it.
 
-use std::fmt::Write as _;
-
 use schemars::JsonSchema;
 use serde::Serialize;
 
 use super::hazard::SensorState;
 use super::headline::{counted, not_shown};
 use super::model::{Headline, ScanReport, Subject, Verdict};
-use super::paragraph::wrapped_to;
-use super::resting::rests_on;
-use super::terminal::cards;
-use super::view::View;
-use crate::hazard::{Class, Criterion};
 use crate::human::Action;
 use crate::obligations::Obligations;
 use crate::standards::BodyRegion;
+use fmi_hazard_criteria::{Class, Criterion};
 
 /// Name of this way to search, where that of a strategy stands.
-pub(crate) const ANYWHERE: &str = "anywhere";
+pub const ANYWHERE: &str = "anywhere";
 
 /// What came out.
 #[derive(Clone, Debug, Serialize, JsonSchema)]
@@ -152,13 +146,14 @@ pub struct Place {
 
 impl Place {
     /// It was met in other histories as well.
-    pub(crate) const fn met_again(&mut self, other: &Self) {
+    pub const fn met_again(&mut self, other: &Self) {
         self.cells += other.cells;
         self.histories += other.histories;
     }
 
     /// What hits what, and how hard.
-    fn how_hard(&self) -> String {
+    #[must_use]
+    pub fn how_hard(&self) -> String {
         let Self { body_region, robot_link, force_n, limit_n, ratio, .. } = self;
         if self.class == Some(Class::HeadContact) {
             // A ratio below 1 would read as harmless.
@@ -201,7 +196,7 @@ pub struct Ground {
 impl Ground {
     /// Whether nothing is known of it.
     #[must_use]
-    pub(crate) const fn is_empty(&self) -> bool {
+    pub const fn is_empty(&self) -> bool {
         self.unseen_m.is_empty() && self.watched_m.is_empty()
     }
 }
@@ -223,7 +218,7 @@ pub struct Spent {
 }
 
 /// How often what sensors report changes, in words.
-pub(super) fn changes_words(changes: usize) -> String {
+pub fn changes_words(changes: usize) -> String {
     match changes {
         1 => "What the sensors report changes at most once then.".to_owned(),
         more => format!("What the sensors report changes at most {more} times then."),
@@ -231,7 +226,7 @@ pub(super) fn changes_words(changes: usize) -> String {
 }
 
 /// How often controls are worked, in words.
-pub(super) fn presses_words(presses: u32) -> String {
+pub fn presses_words(presses: u32) -> String {
     match presses {
         0 => "No control is worked then.".to_owned(),
         1 => "Controls are worked at most once, at any moment.".to_owned(),
@@ -255,7 +250,7 @@ impl Anywhere {
 
     /// What was found, and of what that is said. `report` is the record of the same scan.
     #[must_use]
-    pub(crate) fn headline(&self, report: &ScanReport) -> Headline {
+    pub fn headline(&self, report: &ScanReport) -> Headline {
         let until = format!("{:.1} s", self.until_s);
         let presses = self.presses.map_or_else(String::new, |presses| format!(" {}", presses_words(presses)));
         let says = match self.verdict {
@@ -294,32 +289,5 @@ impl Anywhere {
     pub fn until_hit_s(&self) -> f64 {
         let hits = self.hazards.iter().filter(|hazard| hazard.confirmed).filter_map(|hazard| hazard.time_s);
         self.until_s.max(hits.min_by(f64::total_cmp).unwrap_or(self.until_s))
-    }
-
-    /// For people. `report` is the record of the same scan.
-    #[must_use]
-    pub(crate) fn render(&self, report: &ScanReport, view: View) -> String {
-        let mut text = String::new();
-        let width = view.width;
-        let Headline { says, covers } = &report.headline;
-        text += &wrapped_to(width, " ", says);
-        text += &wrapped_to(width, " ", covers);
-        text += &cards(report, view);
-        for hazard in self.hazards.iter().filter(|hazard| !hazard.confirmed) {
-            let [x, y] = hazard.xy_m;
-            let line = format!(
-                "Not confirmed: {}, by somebody at ({x:.2}, {y:.2}) m who looks towards {:.0} degrees, {}{}",
-                hazard.how_hard(),
-                hazard.heading_deg,
-                hazard.posture,
-                if hazard.histories > 1 {
-                    format!("; in {} histories of what the sensors report", hazard.histories)
-                } else {
-                    String::new()
-                },
-            );
-            let _ = write!(text, "{}", wrapped_to(width, " ", &line));
-        }
-        text + &rests_on(&self.obligations, view)
     }
 }

@@ -33,13 +33,13 @@ pub struct SpeedRecord {
 impl SpeedRecord {
     /// What moves: "joint `a` of robot `r`".
     #[must_use]
-    pub(crate) fn whose(&self) -> String {
+    pub fn whose(&self) -> String {
         format!("{} of robot `{}`", self.part, self.robot)
     }
 
     /// What is wrong, without advice.
     #[must_use]
-    pub(crate) fn message(&self) -> String {
+    pub fn message(&self) -> String {
         let unit = self.unit;
         format!(
             "the speed of {} is not that of its motion: at {:.2} s it moves at {:.3} {unit}, and {} says {:.3} {unit}; the \
@@ -60,7 +60,7 @@ impl SpeedRecord {
 
     /// What it means and what to do.
     #[must_use]
-    pub(crate) fn advice(&self) -> String {
+    pub fn advice(&self) -> String {
         let meaning = if self.slower_than_it_is {
             "The robot is faster than it says, so forces come out too low"
         } else {
@@ -77,7 +77,7 @@ impl SpeedRecord {
 
     /// Both.
     #[must_use]
-    pub(crate) fn sentence(&self) -> String {
+    pub fn sentence(&self) -> String {
         format!("{}. {}", self.message(), self.advice())
     }
 }

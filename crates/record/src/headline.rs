@@ -7,7 +7,7 @@ use crate::obligations::Obligations;
 
 /// Of a search from a start.
 #[must_use]
-pub(crate) fn from_start(report: &ScanReport) -> Headline {
+pub fn from_start(report: &ScanReport) -> Headline {
     let complete = report.obligations.clean().is_some();
     let asked = asked_from_start(report);
     let within = looked_at(report);
@@ -51,7 +51,7 @@ pub(crate) fn counted(report: &ScanReport) -> String {
 
 /// How many are confirmed.
 #[must_use]
-pub(crate) fn confirmed_of(confirmed: usize, n: usize) -> String {
+pub fn confirmed_of(confirmed: usize, n: usize) -> String {
     match (confirmed, n) {
         (1, 1) => "confirmed".to_owned(),
         _ if confirmed == n => "all confirmed".to_owned(),
@@ -61,7 +61,7 @@ pub(crate) fn confirmed_of(confirmed: usize, n: usize) -> String {
 
 /// Whether one is.
 #[must_use]
-pub(crate) const fn confirmed_words(confirmed: Option<bool>) -> &'static str {
+pub const fn confirmed_words(confirmed: Option<bool>) -> &'static str {
     match confirmed {
         Some(true) => "yes",
         Some(false) => "NO",

@@ -1,17 +1,17 @@
 //! What happens at a contact and how its force comes about, with its numbers: sentences that `explain` and the page share.
 
-use super::begin::Begin;
-use super::hazard::{Hazard, SensorState, Through};
-use crate::hazard::Class;
+use crate::begin::Begin;
+use crate::hazard::{Hazard, SensorState, Through};
 use crate::standards::iso_ts_15066 as limits;
+use fmi_hazard_criteria::Class;
 
 /// What a sensor does that reports somebody: the only person, or one of two. It does not tell who it is.
-pub(crate) const REPORTS: [&str; 2] = ["reports the person", "reports somebody"];
+pub const REPORTS: [&str; 2] = ["reports the person", "reports somebody"];
 
 impl SensorState {
     /// What it reports: "mat reports the person", "mat clear".
     #[must_use]
-    pub(crate) fn words(&self, reports: &str) -> String {
+    pub fn words(&self, reports: &str) -> String {
         format!("{} {}", self.name, if self.person_detected { reports } else { "clear" })
     }
 }
@@ -19,7 +19,7 @@ impl SensorState {
 impl Hazard {
     /// Which link meets which part of whom, how fast, when and where.
     #[must_use]
-    pub(crate) fn meeting_words(&self) -> String {
+    pub fn meeting_words(&self) -> String {
         let arm = self.arm.as_ref().map_or_else(String::new, |arm| format!(" (of the {} arm)", arm.side));
         let meets = if self.class == Class::Separation { "comes too near" } else { "meets" };
         let (of, who) = match &self.person {
@@ -43,13 +43,13 @@ impl Hazard {
 
     /// What a sensor does that reports somebody.
     #[must_use]
-    pub(crate) const fn reports_words(&self) -> &'static str {
+    pub const fn reports_words(&self) -> &'static str {
         REPORTS[self.person.is_some() as usize]
     }
 
     /// Where its own worst sequence begins, and when it ends.
     #[must_use]
-    pub(crate) fn begins_words(&self, begins: Begin) -> String {
+    pub fn begins_words(&self, begins: Begin) -> String {
         format!("The worst begins {}; hit {:.2} s later", begins.words(), self.time_s)
     }
 
@@ -61,7 +61,7 @@ impl Hazard {
 
     /// The formula of the force with its numbers.
     #[must_use]
-    pub(crate) fn force_formula(&self) -> String {
+    pub fn force_formula(&self) -> String {
         let k = limits::spring_constant_n_m(self.body_region);
         let mu = limits::reduced_mass(limits::effective_mass_kg(self.body_region), self.effective_mass_kg);
         format!(
@@ -74,7 +74,7 @@ impl Hazard {
 
     /// Below which speed the force stays within its limit, if that makes it safe.
     #[must_use]
-    pub(crate) fn safe_speed_words(&self) -> String {
+    pub fn safe_speed_words(&self) -> String {
         if self.body_region.permits_no_contact() {
             return format!(
                 "No speed is safe: only a robot that stands may touch the head or the throat. (The force would stay within {:.0} N \
@@ -94,7 +94,7 @@ impl Hazard {
 impl Through {
     /// That the arm went past the plane, and when.
     #[must_use]
-    pub(crate) fn words(&self) -> String {
+    pub fn words(&self) -> String {
         let Self { sensor, since_s, until_s } = self;
         let ahead = if *until_s > 0.0 { ", ahead of the body" } else { "" };
         format!("The arm went past {sensor} {since_s:.2} s before{ahead}, on its way there.")

@@ -1,11 +1,11 @@
 //! What is broken other than the transient force, explained: formula, numbers, and what would remove it.
 
-use crate::hazard::criterion::Class;
-use crate::report::hazard::Hazard;
-use crate::report::judged::{Clamping, LimitKind, Pressure, Separation};
-use crate::report::model::STANDARD_EDITION;
+use crate::hazard::Hazard;
+use crate::judged::{Clamping, LimitKind, Pressure, Separation};
+use crate::model::STANDARD_EDITION;
 use crate::standards::iso_13854::least_gap_m;
 use crate::standards::iso_ts_15066::spring_constant_n_m;
+use fmi_hazard_criteria::criterion::Class;
 
 /// A title, and what is said under it, a paragraph each.
 pub(crate) type Block = (String, Vec<String>);
@@ -13,7 +13,7 @@ pub(crate) type Block = (String, Vec<String>);
 impl Hazard {
     /// What is broken, where that is not the transient force; nothing where it is.
     #[must_use]
-    pub(crate) fn other_criteria(&self) -> Vec<Block> {
+    pub fn other_criteria(&self) -> Vec<Block> {
         let Some(judged) = &self.judged else { return Vec::new() };
         match (self.class, &judged.clamping, &judged.pressure, &judged.separation) {
             (Class::Clamping, Some(clamping), Some(pressure), _) if judged.limit == LimitKind::Pressure => {

@@ -36,7 +36,7 @@ impl From<&Body> for BodyRecord {
 impl BodyRecord {
     /// The body itself; none if there is no such body.
     #[must_use]
-    pub(crate) fn body(&self) -> Option<Body> {
+    pub fn body(&self) -> Option<Body> {
         let Self { sex, percentile, bend_forward_deg, bend_lateral_deg, radii_m } = *self;
         let percentile = Percentile::try_from(percentile).ok()?;
         Body::new(&Anthropometry { sex, percentile, bend_forward_deg, bend_lateral_deg, radii_m }).ok()

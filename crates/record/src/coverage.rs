@@ -6,7 +6,6 @@ use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 pub use self::robots::{NeverMet, RobotCoverage};
-use crate::cell::Workcell;
 
 /// Figures beside a verdict.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
@@ -77,13 +76,13 @@ impl Coverage {
         }
     }
 
-    /// Nothing seen yet of this cell.
+    /// Nothing seen yet of a cell with so many sensors, so many controls, and robots of these names.
     #[must_use]
-    pub fn of(cell: &Workcell) -> Self {
+    pub fn of<'a>(sensors: usize, controls: usize, robots: impl Iterator<Item = &'a str>) -> Self {
         Self {
-            control_actions: vec![0; cell.controls.len()],
-            robots: cell.robots.iter().map(|robot| RobotCoverage::named(&robot.name)).collect(),
-            ..Self::new(cell.sensors.len())
+            control_actions: vec![0; controls],
+            robots: robots.map(RobotCoverage::named).collect(),
+            ..Self::new(sensors)
         }
     }
 
@@ -111,7 +110,7 @@ impl Coverage {
     }
 
     /// Adds what looking for arms cost in the same place once more, and what of it is not known.
-    pub(super) fn merge_arms(&mut self, other: &Self) {
+    pub fn merge_arms(&mut self, other: &Self) {
         self.arm_checks += other.arm_checks;
         self.arm_checks_incomplete += other.arm_checks_incomplete;
         self.arm_runs_not_evaluated += other.arm_runs_not_evaluated;
@@ -125,7 +124,7 @@ impl Coverage {
     }
 
     /// What comparing person and robots cost, beside so many steps of the FMU, see [`cost`].
-    pub(super) const fn cost(&self, steps: u64) -> u64 {
+    pub const fn cost(&self, steps: u64) -> u64 {
         cost(steps, self.contact_checks, self.arm_boxes)
     }
 }

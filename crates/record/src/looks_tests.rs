@@ -1,8 +1,8 @@
 //! Tests of `looks`.
 
-use super::super::criteria::{ClampingRecord, SeparationTerms, StatedStop};
-use super::super::fixtures;
 use super::*;
+use crate::criteria::{ClampingRecord, SeparationTerms, StatedStop};
+use crate::fixtures;
 use crate::human::Radii;
 use crate::standards::anthropometry::Sex;
 
