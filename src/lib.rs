@@ -25,7 +25,8 @@
 //! | [`campaign`] | many scans: planned, done in parts anywhere, put together |
 //! | [`strategies`] | many seeds of several strategies side by side, and beside the paper |
 //! | [`scan`] | a whole scan: open, bind, self-test, search, confirm |
-//! | [`report`] | what people and pipelines read |
+//! | [`report`] | what people and programs read |
+//! | [`record`] | results as plain records |
 //! | [`search`] | strategies over an abstract environment; knows nothing of FMUs or geometry |
 //! | [`sim`] | plant + person + sensors + contact as one environment with snapshots |
 //! | [`hazard`] | what is unsafe, danger level, findings and their identity |
@@ -66,7 +67,6 @@
 
 pub(crate) mod campaign;
 pub mod cli;
-pub mod report;
 pub mod scan;
 pub mod sim;
 pub mod strategies;
@@ -77,6 +77,7 @@ pub use fmi_hazard_examples as examples;
 pub use fmi_hazard_human::{geometry, human, standards};
 pub use fmi_hazard_outcome as obligations;
 pub use fmi_hazard_record as record;
+pub use fmi_hazard_report as report;
 pub use fmi_hazard_search as search;
 pub use fmi_hazard_stop as stop;
 pub use fmu_host::{fmi, host};

@@ -8,7 +8,7 @@ import { build } from "esbuild";
 const here = path.dirname(fileURLToPath(import.meta.url));
 
 /** Where the committed assets are. */
-export const ASSETS = path.join(here, "..", "src", "report", "viewer");
+export const ASSETS = path.join(here, "..", "crates", "report", "src", "viewer");
 
 /** Names of the assets. */
 export const NAMES = ["viewer.js", "viewer.css"];

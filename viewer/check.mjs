@@ -17,10 +17,10 @@ try {
     }
   }
   if (differing.length > 0) {
-    console.error(`Not what the sources give: src/report/viewer/${differing.join(", ")}. Run "npm run build" in viewer/.`);
+    console.error(`Not what the sources give: crates/report/src/viewer/${differing.join(", ")}. Run "npm run build" in viewer/.`);
     process.exitCode = 1;
   } else {
-    console.log(`src/report/viewer/${NAMES.join(" and ")} are what the sources give.`);
+    console.log(`crates/report/src/viewer/${NAMES.join(" and ")} are what the sources give.`);
   }
 } finally {
   await rm(folder, { recursive: true });

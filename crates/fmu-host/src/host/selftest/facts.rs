@@ -16,7 +16,7 @@ pub(in crate::host) struct Facts {
     pub against_half_steps: Option<Untried>,
     /// Why the other of with Event Mode and without would say nothing.
     pub against_other_mode: Option<Untried>,
-    /// See [`SelfTest::remarks`].
+    /// See [`fmu_self_test::SelfTest::remarks`].
     pub remarks: Vec<String>,
 }
 
