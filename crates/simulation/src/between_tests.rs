@@ -1,3 +1,5 @@
+//! Where a robot may be between two instants holds for random ways of its joints, and by hand for a point.
+
 use super::*;
 use crate::geometry::kinematics::{Joint, KinematicTree, Motion};
 use crate::geometry::{Pose, rotation_about};

@@ -1,3 +1,5 @@
+//! Speeds that are true however they are told are taken, and lies are seen, on motions that are calculated here.
+
 use std::f64::consts::{PI, TAU};
 
 use super::*;

@@ -1,3 +1,5 @@
+//! What a point weighs: by hand for pendulums and arms of two links, and against the energy of grains for random trees.
+
 use std::f64::consts::{FRAC_PI_2, FRAC_PI_3};
 
 use super::super::kinematics::{Joint, KinematicTree, Motion};
