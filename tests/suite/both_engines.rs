@@ -101,7 +101,7 @@ fn what_is_new_in_a_cell_does_not_compile_before_both_say_what_they_do_with_it()
     let root = Path::new(env!("CARGO_MANIFEST_DIR"));
     let dir = tempfile::tempdir().unwrap();
     let (copied, target) = (dir.path().join("copy"), dir.path().join("target"));
-    for folder in ["src", "crates", "fmus", "benches", "research", "tests/sample"] {
+    for folder in ["src", "crates", "fmus", "benches", "research", "tests/house", "tests/sample"] {
         copy(&root.join(folder), &copied.join(folder));
     }
     for file in ["Cargo.toml", "Cargo.lock", "README.md", "clippy.toml"] {

@@ -59,7 +59,6 @@ mod mcap;
 mod motion;
 mod mutated_fmus;
 mod narrower_questions;
-mod no_sentence_twice;
 mod number_signals;
 mod obligations;
 mod obstacles;

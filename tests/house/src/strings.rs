@@ -1,19 +1,12 @@
-//! Sentences are made in Rust and drawn by the viewer: what a string in `viewer/src` says in three words or more, no string in `src/`
-//! or `crates/` says as well. Two versions of a sentence drift apart.
-
-use std::collections::BTreeMap;
-use std::fs;
-use std::path::Path;
-
-/// Files of the viewer that still have sentences of which the program has a version of its own. Take out what is mended; add nothing.
-const EXCEPTED: [&str; 1] = ["whole.js"];
+//! What the strings of a source say, of Rust and of the viewer's JavaScript.
 
 /// Fewest words that are a sentence here.
 const WORDS: usize = 3;
 
 /// What strings of a source say, without comments and without what is filled in, in small letters and without punctuation; each piece
 /// between spaces.
-fn said(source: &str, rust: bool) -> Vec<String> {
+#[must_use]
+pub fn said(source: &str, rust: bool) -> Vec<String> {
     let mut strings = Strings { rest: source, rust, found: Vec::new() };
     strings.code(false);
     let letters = |token: &str| token.chars().filter(|c| c.is_alphabetic()).count() > 1 || token == "a";
@@ -116,68 +109,20 @@ impl Strings<'_> {
     }
 }
 
-/// What the files below a folder say, by their names.
-fn all_said(folder: &Path, extension: &str) -> BTreeMap<String, Vec<String>> {
-    let mut all = BTreeMap::new();
-    let mut folders = vec![folder.to_owned()];
-    while let Some(folder) = folders.pop() {
-        for entry in fs::read_dir(folder).unwrap() {
-            let path = entry.unwrap().path();
-            if path.is_dir() {
-                folders.push(path);
-            } else if path.extension().is_some_and(|found| found == extension) {
-                let name = path.strip_prefix(env!("CARGO_MANIFEST_DIR")).unwrap().display().to_string();
-                all.insert(name, said(&fs::read_to_string(&path).unwrap(), extension == "rs"));
-            }
-        }
-    }
-    all
-}
+#[cfg(test)]
+mod tests {
+    use super::*;
 
-/// What two sources both say: each with where the program says it.
-fn twice(viewer: &[String], program: &BTreeMap<String, Vec<String>>) -> Vec<String> {
-    let mut twice = Vec::new();
-    for mine in viewer {
-        for (file, pieces) in program {
-            let same = pieces.iter().filter(|its| its.contains(mine.as_str()) || mine.contains(its.as_str()));
-            twice.extend(same.map(|its| format!("\"{}\" and in {file} \"{}\"", mine.trim(), its.trim())));
-        }
+    #[test]
+    fn strings_are_read_whole_and_comments_are_not() {
+        let js = "// \"not this one here\"\nconst a = \"it's what one sees\"; /* 'nor this one either' */\n\
+                  f(`walks ${x ? `on and on and on` : {}} straight ahead, upright`, 'a \\'b\\' and more to come');";
+        assert_eq!(
+            said(js, false),
+            [" it's what one sees ", " on and on and on ", " straight ahead upright ", " a and more to come "]
+        );
+        let rust = "/// \"nor this one either\"\nfn a<'a>(c: char) { c == '\"' || c == '\\''; b(\"{x:.2} m less \\\n      than the limit\"); r#\"one \"two\" \
+                    three\"# }";
+        assert_eq!(said(rust, true), [" less than the limit ", " one two three "]);
     }
-    twice
-}
-
-#[test]
-fn what_the_viewer_says_the_program_does_not_say_as_well() {
-    let root = Path::new(env!("CARGO_MANIFEST_DIR"));
-    let viewer = all_said(&root.join("viewer/src"), "js");
-    let program: BTreeMap<_, _> =
-        [all_said(&root.join("src"), "rs"), all_said(&root.join("crates"), "rs")].into_iter().flatten().collect();
-    assert!(viewer.len() > 30 && program.len() > 100, "{} and {} files", viewer.len(), program.len());
-    let mut wrong = Vec::new();
-    for (file, pieces) in &viewer {
-        let twice = twice(pieces, &program);
-        let excepted = EXCEPTED.iter().any(|name| file.ends_with(name));
-        if excepted && twice.is_empty() {
-            wrong.push(format!("{file} is mended: take it out of the list of exceptions"));
-        } else if !excepted {
-            wrong.extend(twice.into_iter().map(|what| format!("{file}: {what}")));
-        }
-    }
-    assert!(wrong.is_empty(), "made in Rust and again in the viewer:\n{}", wrong.join("\n"));
-}
-
-#[test]
-fn strings_are_read_whole_and_comments_are_not() {
-    let js = "// \"not this one here\"\nconst a = \"it's what one sees\"; /* 'nor this one either' */\n\
-              f(`walks ${x ? `on and on and on` : {}} straight ahead, upright`, 'a \\'b\\' and more to come');";
-    assert_eq!(
-        said(js, false),
-        [" it's what one sees ", " on and on and on ", " straight ahead upright ", " a and more to come "]
-    );
-    let rust = "/// \"nor this one either\"\nfn a<'a>(c: char) { c == '\"' || c == '\\''; b(\"{x:.2} m less \\\n      than the limit\"); r#\"one \"two\" \
-                three\"# }";
-    assert_eq!(said(rust, true), [" less than the limit ", " one two three "]);
-    let program = BTreeMap::from([("a.rs".to_owned(), said("\"turns left and walks on\"", true))]);
-    assert_eq!(twice(&said("`Left and walks, ${x}`", false), &program).len(), 1);
-    assert!(twice(&said("`turns left ${x} walks on`", false), &program).is_empty());
 }
