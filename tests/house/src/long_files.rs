@@ -24,13 +24,12 @@ mod tests {
     use crate::sources::rust;
 
     /// Files that were too long when the rule was made. Take out what is mended; add nothing.
-    const LISTED: [Exception; 35] = [
+    const LISTED: [Exception; 34] = [
         ("crates/cell/src/cell/binding.rs", "", 697),
         ("crates/cell/src/cell/draft.rs", "", 504),
         ("crates/cell/src/cell/knob.rs", "", 702),
         ("crates/cell/src/cell/workcell.rs", "", 563),
         ("crates/fmu-host/src/host/recall.rs", "", 577),
-        ("crates/fmu-host/src/host/selftest.rs", "", 566),
         ("crates/human/src/human/field.rs", "", 526),
         ("crates/human/src/human/floor.rs", "", 542),
         ("crates/human/src/human/reach.rs", "", 741),
@@ -44,7 +43,7 @@ mod tests {
         ("fmus/models/cells/workcell.rs", "", 551),
         ("fmus/models/fmi2.rs", "", 540),
         ("fmus/models/fmi3.rs", "", 700),
-        ("src/report/survey.rs", "", 585),
+        ("crates/report/src/survey.rs", "", 585),
         ("src/scan/anywhere.rs", "", 711),
         ("src/scan/prepare.rs", "", 542),
         ("src/scan/probe.rs", "", 567),

@@ -26,7 +26,7 @@ mod tests {
     use crate::sources::workspace;
 
     /// Functions that were too long when the rule was made. Take out what is mended; add nothing.
-    const LISTED: [Exception; 52] = [
+    const LISTED: [Exception; 51] = [
         ("crates/cell/src/cell/binding.rs", "bind", 113),
         ("crates/cell/src/cell/draft.rs", "joints", 71),
         ("crates/cell/src/cell/draft.rs", "robots", 87),
@@ -44,12 +44,11 @@ mod tests {
         ("fmus/models/interface/workcell.rs", "parameters", 103),
         ("src/cli/anywhere.rs", "look", 80),
         ("src/cli/check.rs", "run", 95),
-        ("src/report/advice.rs", "render", 89),
-        ("src/report/floorplan.rs", "legend", 74),
-        ("src/report/hazard.rs", "Hazard::new", 73),
-        ("src/report/mcap.rs", "Recording::entities", 72),
-        ("src/report/survey_page.rs", "render", 78),
-        ("src/report/topview.rs", "render", 124),
+        ("crates/record/src/advice.rs", "render", 89),
+        ("crates/report/src/floorplan.rs", "legend", 74),
+        ("crates/report/src/mcap.rs", "Recording::entities", 72),
+        ("crates/report/src/survey_page.rs", "render", 78),
+        ("crates/report/src/topview.rs", "render", 124),
         ("src/scan/anywhere.rs", "Looking::part", 81),
         ("src/scan/anywhere.rs", "anywhere", 82),
         ("src/scan/anywhere/fields.rs", "Fields::of", 71),

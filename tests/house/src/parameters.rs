@@ -39,7 +39,7 @@ mod tests {
         ("src/campaign/merge.rs", "merge", 7),
         ("src/campaign/run.rs", "run", 7),
         ("src/cli/anywhere.rs", "look", 7),
-        ("src/report/page.rs", "render", 7),
+        ("crates/report/src/page.rs", "render", 7),
         ("src/scan/anywhere.rs", "Looking::follow", 8),
         ("src/scan/anywhere/behaviours.rs", "Looking::behaviours", 7),
         ("src/scan/anywhere/moments.rs", "Moments::new", 7),
