@@ -90,3 +90,10 @@ pub(super) fn perpendicular_to(u: Vec3, v: Vec3) -> Vec3 {
         along.cross(away).try_normalize().unwrap_or(Vec3::Z)
     })
 }
+
+/// From the surface of a shape to that of everything no farther than `by_m` from it: the nearest point there is as much farther out.
+pub(super) fn beyond(near: Closest, by_m: f64) -> Closest {
+    let towards = near.on_first - near.on_second;
+    let outward = if near.distance > 0.0 { towards } else { -towards }.normalize_or_zero();
+    Closest { distance: near.distance - by_m, on_second: near.on_second + outward * by_m, ..near }
+}

@@ -7,11 +7,10 @@ use std::sync::Arc;
 
 use parry3d_f64::shape::ConvexPolyhedron;
 
-use super::distance::segment_segment;
+use super::distance::{beyond, segment_segment};
 use super::polyhedron::{Nearest, Polyhedron};
-use super::sampled::Once;
+use super::samples::Samples;
 use super::slabs::Slabs;
-use super::solid::beyond;
 use super::{Capsule, Closest, Pose, Vec3};
 
 /// A convex polyhedron shared between placements, with where it is.
@@ -89,7 +88,7 @@ impl Hull {
     }
 
     /// Points of its surface that were worked out before.
-    pub(super) fn sampled(&self) -> &Once {
+    pub(super) fn sampled(&self) -> &Samples {
         &self.shape.sampled
     }
 

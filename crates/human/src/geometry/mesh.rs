@@ -4,8 +4,7 @@
 
 use std::sync::Arc;
 
-use super::distance::point_segment;
-use super::solid::beyond;
+use super::distance::{beyond, point_segment};
 use super::{Closest, Pose, Surface, Vec3};
 
 /// A closed surface shared between placements, with where it is.

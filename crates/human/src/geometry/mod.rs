@@ -8,7 +8,7 @@
 //! - [`solid`]: a robot link where it stands: a capsule, a [`hull`] or a [`mesh`], which is a closed [`surface`]
 //! - [`boxes`]: a surface as boxes that lie in it, for obstacles; [`joined`]: walls that adjoin
 //! - [`kinematics`]: where links are, and how fast; [`inertia`]: how heavy, for whoever is hit by a point of them
-//! - [`sampled`]: the surface of a link as points
+//! - [`sampled`]: the surface of a link as points; [`samples`]: such points, kept
 
 pub mod boxes;
 mod coarse;
@@ -23,6 +23,7 @@ pub(crate) mod mesh;
 pub mod polygon;
 mod polyhedron;
 pub mod sampled;
+pub mod samples;
 pub mod segment_cuboid;
 pub(crate) mod shape;
 mod slabs;

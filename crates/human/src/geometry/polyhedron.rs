@@ -15,7 +15,7 @@ use parry3d_f64::utils::{point_cloud_support_point, point_cloud_support_point_id
 
 use super::distance::{point_segment, segment_segment};
 use super::facing::{Facing, longest};
-use super::sampled::Once;
+use super::samples::Samples;
 use super::slices::Slices;
 use super::{Capsule, Pose, Vec3};
 use crate::stop::worked;
@@ -35,7 +35,7 @@ pub(super) struct Polyhedron {
     /// A capsule that holds it: what is far from that is far from the polyhedron.
     pub(super) around: Capsule,
     /// Points of its surface.
-    pub(super) sampled: Once,
+    pub(super) sampled: Samples,
 }
 
 /// Between two faces.
@@ -117,7 +117,17 @@ impl Polyhedron {
         let facing = Facing::new(centre, faces.clone());
         let edges = edges(&convex, triangles);
         let around = capsule_around(corners, low, high);
-        Self { convex, faces, facing, edges, climb, slices, sphere: (centre, radius), around, sampled: Once::default() }
+        Self {
+            convex,
+            faces,
+            facing,
+            edges,
+            climb,
+            slices,
+            sphere: (centre, radius),
+            around,
+            sampled: Samples::default(),
+        }
     }
 
     /// As parry has it.

@@ -2,23 +2,12 @@
 
 use std::collections::BTreeMap;
 use std::f64::consts::{PI, TAU};
-use std::sync::{Arc, OnceLock};
+use std::sync::Arc;
 
 use super::distance::perpendicular_to;
+use super::samples::SurfacePoint;
 use super::triangle::{Corners, normal};
 use super::{Capsule, Solid, Vec3};
-
-/// A point of a surface.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct SurfacePoint {
-    /// Where it is, world, m.
-    pub at: Vec3,
-    /// Unit vector outwards.
-    pub outward: Vec3,
-}
-
-/// Points of a surface in its own frame that were worked out once, and how far apart, m.
-pub(super) type Once = OnceLock<(f64, Arc<[SurfacePoint]>)>;
 
 /// Points of the surface; no point of it is farther than `within_m` from the nearest of them. Of what is grown they are on
 /// what it was before.

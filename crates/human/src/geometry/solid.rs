@@ -204,13 +204,6 @@ impl Solid {
     }
 }
 
-/// From the surface of a shape to that of everything no farther than `by_m` from it: the nearest point there is as much farther out.
-pub(super) fn beyond(near: Closest, by_m: f64) -> Closest {
-    let towards = near.on_first - near.on_second;
-    let outward = if near.distance > 0.0 { towards } else { -towards }.normalize_or_zero();
-    Closest { distance: near.distance - by_m, on_second: near.on_second + outward * by_m, ..near }
-}
-
 /// From the core of a capsule link to its surface.
 fn surface(core: Closest, radius: f64, along_first: Vec3, along_second: Vec3) -> Closest {
     let outward =

@@ -9,7 +9,7 @@ use parry3d_f64::bounding_volume::Aabb;
 use parry3d_f64::partitioning::{Bvh, BvhBuildStrategy, BvhNode};
 use parry3d_f64::query::{Ray, RayCast as _};
 
-use super::sampled::Once;
+use super::samples::Samples;
 use super::segment_cuboid::segment_box_local;
 use super::triangle::{Corners, nearest_to_point, nearest_to_segment};
 use super::{Rotation, Vec3};
@@ -138,7 +138,7 @@ pub struct Surface {
     centre: Vec3,
     radius: f64,
     /// Points of it.
-    pub(super) sampled: Once,
+    pub(super) sampled: Samples,
 }
 
 /// `ray_from_local`: a direction in which no machine part has its faces.
@@ -170,7 +170,7 @@ impl Surface {
         let boxes: Vec<Aabb> = (0..triangles.triangles.len()).map(around).collect();
         let tree = Bvh::from_leaves(BvhBuildStrategy::Binned, &boxes);
         let along_rays = triangles.points.iter().map(|point| RAY_FROM_LOCAL * *point).collect();
-        Ok(Self { triangles, along_rays, tree, low, high, centre, radius, sampled: Once::default() })
+        Ok(Self { triangles, along_rays, tree, low, high, centre, radius, sampled: Samples::default() })
     }
 
     /// The triangles, turned outwards.

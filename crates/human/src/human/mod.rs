@@ -11,6 +11,7 @@
 pub mod action;
 pub mod arm;
 pub(crate) mod arrangement;
+mod bend;
 pub mod body;
 mod control;
 pub(crate) mod field;
@@ -32,6 +33,7 @@ pub(crate) mod who;
 
 pub use action::{Action, Posture, Walk};
 pub use arrangement::Arrangement;
+pub use bend::BendFraction;
 pub use body::{Anthropometry, Body, Radii};
 pub use control::{ControlKind, ControlledBy};
 pub use field::Field;
@@ -42,7 +44,6 @@ pub use part::{BodyPart, Side};
 pub use place::{Place, Start};
 pub use placed::PlacedBody;
 pub use pose_box::PoseBox;
-pub use posture::BendFraction;
 pub use presses::Presses;
 pub use repertoire::{Ability, Repertoire};
 pub use who::Who;

@@ -89,7 +89,7 @@ fn a_low_barrier_stops_the_chest() {
     let body = median_man();
     let sixteenths = reached(&body, 0.0, 0.0, 0.0, Posture::Forward, &[rail]);
     assert!((1..16).contains(&sixteenths), "{sixteenths}");
-    let head = body.placed(Vec3::ZERO, 0.0, Posture::Forward, BendFraction(sixteenths)).capsule(BodyPart::Head).a;
+    let head = body.placed(Vec3::ZERO, 0.0, Posture::Forward, BendFraction::new(sixteenths).unwrap()).capsule(BodyPart::Head).a;
     assert!(head.z > 1.15 + 0.105 && head.x > 0.27, "the head is over the rail: {head}");
 }
 
@@ -221,7 +221,7 @@ proptest! {
         prop_assume!(nearest(BendFraction::UPRIGHT) > 0.0);
         let reached = cut_back(&body, Vec3::ZERO, heading, posture, &boxes);
         for sixteenths in 0..=reached.sixteenths() {
-            prop_assert!(nearest(BendFraction(sixteenths)) > 0.0, "{sixteenths} of {reached:?}");
+            prop_assert!(nearest(BendFraction::new(sixteenths).unwrap()) > 0.0, "{sixteenths} of {reached:?}");
         }
         if let Some(next) = BendFraction::new(reached.sixteenths() + 1) {
             prop_assert!(nearest(next) < 1e-6, "{next:?} would be free by {}", nearest(next));

@@ -6,7 +6,8 @@
 
 use super::Encounter;
 use crate::geometry::distance::point_segment;
-use crate::geometry::sampled::{SurfacePoint, surface_points};
+use crate::geometry::sampled::surface_points;
+use crate::geometry::samples::SurfacePoint;
 use crate::geometry::segment_cuboid::{point_cuboid, segment_cuboid_apart};
 use crate::geometry::{Capsule, Cuboid, Solid, Vec3};
 use crate::hazard::contact::{Against, Clamped};
