@@ -1,6 +1,5 @@
 //! The plan of a campaign on disk: all its scans, each known by a hash of what its result depends on.
 
-use std::fmt;
 use std::path::{Path, PathBuf};
 
 use serde::{Deserialize, Serialize};
@@ -12,6 +11,7 @@ use super::values::Values;
 use crate::cell::find::OpenedCell;
 use crate::record::begin::Begin;
 use crate::record::model::FileSubject;
+use crate::sim::answers::Share;
 
 /// Name of the plan in the folder of the campaign.
 pub(crate) const MANIFEST: &str = "manifest.json";
@@ -89,23 +89,8 @@ pub(crate) struct ScanEntry {
 pub(crate) struct Task {
     /// Number of the scan, from 0.
     pub scan: usize,
-    /// Which part of how many, from 1; nothing for all of it.
-    pub part: Option<Part>,
-}
-
-/// A part of a search, from 1, of so many.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
-pub struct Part {
-    /// Its number, from 1.
-    pub number: u32,
-    /// How many there are.
-    pub of: u32,
-}
-
-impl fmt::Display for Part {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        write!(f, "{}of{}", self.number, self.of)
-    }
+    /// Which part; nothing for all of it.
+    pub part: Option<Share>,
 }
 
 impl CellEntry {
@@ -191,7 +176,7 @@ impl Manifest {
     pub(crate) fn tasks_of(&self, scan: usize) -> Vec<Task> {
         match self.search.parts {
             0 | 1 => vec![Task { scan, part: None }],
-            of => (1..=of).map(|number| Task { scan, part: Some(Part { number, of }) }).collect(),
+            of => Share::all(of).map(|share| Task { scan, part: Some(share) }).collect(),
         }
     }
 
@@ -199,7 +184,7 @@ impl Manifest {
     #[must_use]
     pub(crate) fn name(&self, task: Task) -> String {
         let id = &self.scans[task.scan].id;
-        task.part.map_or_else(|| id.clone(), |part| format!("{id}.{part}"))
+        task.part.map_or_else(|| id.clone(), |share| format!("{id}.{}of{}", share.number, share.of))
     }
 
     /// The task of this name.

@@ -6,14 +6,13 @@ use std::sync::Arc;
 
 use super::CampaignError;
 use super::manifest::{Manifest, Task};
-use super::part::{Runner, folder_of};
+use super::part::{ANSWERS, Runner, folder_of};
 use super::sealed::{self, Kept, kept};
 use super::status::status;
 use crate::report::survey::{Outcome, Row, Survey};
 use crate::report::{survey_page, survey_pictures};
 use crate::scan::Hosting;
 use crate::sim::answers::Answers;
-use crate::sim::journal::Journal;
 use crate::stop::Stop;
 
 /// How it went, which is no result.
@@ -91,29 +90,27 @@ fn scan_json(
         return Ok(Some(bytes));
     }
     let (answers, missing) = answers(folder, manifest, scan)?;
-    let answers = Arc::new(answers);
     let mut go_on = |_: crate::scan::Progress<'_>| match stop.ends_search() {
         true => ControlFlow::Break(()),
         false => ControlFlow::Continue(()),
     };
     let began = std::time::Instant::now();
-    let journal = if answers.count() > 0 { Journal::looking_up(Arc::clone(&answers)) } else { Journal::default() };
-    let Some(bytes) = runner.scan(scan, journal, &mut go_on)? else { return Ok(None) };
-    let (looked_up, unanswered) = answers.used();
+    let Some(bytes) = runner.scan(scan, &answers, &mut go_on)? else { return Ok(None) };
+    let (looked_up, asked) = answers.remembered();
     merged.worked_out += missing;
     merged.looked_up += looked_up;
-    merged.unanswered += unanswered;
+    merged.unanswered += asked - looked_up;
     sealed::keep(folder, &manifest.name(whole), &bytes, began.elapsed().as_secs_f64())?;
     Ok(Some(bytes))
 }
 
 /// What the parts of a scan's search have answered, and how many tasks of it have no result.
-fn answers(folder: &Path, manifest: &Manifest, scan: usize) -> Result<(Answers, usize), CampaignError> {
-    let (mut answers, mut missing) = (Answers::default(), 0);
+fn answers(folder: &Path, manifest: &Manifest, scan: usize) -> Result<(Arc<Answers>, usize), CampaignError> {
+    let (answers, mut missing) = (Arc::new(Answers::default()), 0);
     for task in manifest.tasks_of(scan) {
         match kept(folder, &manifest.name(task)) {
             Kept::Whole(bytes, _) if task.part.is_some() => {
-                answers.add(&bytes).map_err(|e| CampaignError::Ours(e.to_string()))?;
+                answers.take_in(&bytes, ANSWERS).map_err(|e| CampaignError::Ours(e.to_string()))?;
             }
             _ => missing += 1,
         }

@@ -3,12 +3,13 @@
 
 use std::ops::ControlFlow;
 use std::path::{Path, PathBuf};
+use std::sync::Arc;
 
 use clap::ValueEnum as _;
 
 use super::CampaignError;
 use super::description::{AUTO, EXHAUSTIVE};
-use super::manifest::{Manifest, Part, ScanEntry, Task};
+use super::manifest::{Manifest, ScanEntry, Task};
 use crate::cell::find::open;
 use crate::scan::moved;
 use crate::scan::portion::portion;
@@ -16,13 +17,15 @@ use crate::scan::prepare::prepare_in;
 use crate::scan::probe::wrong_polarities;
 use crate::scan::{Exhaustive, Hosting, Method, Prepared, Progress, ScanOptions, StateChoice, StrategyName, scan_with};
 use crate::search::exhaustive::Budget;
-use crate::sim::answers::Share;
+use crate::sim::answers::{Answers, Share};
 use crate::sim::expansion::Merge;
-use crate::sim::journal::Journal;
 use crate::stop::Stop;
 
 /// Work of the exhaustive part of `auto` unless told otherwise, millions of boxes: as in a scan alone.
 const AUTO_WORK: u64 = 600;
+
+/// What answers of a part say that they are; a task's name says of which search.
+pub(super) const ANSWERS: &str = "answers 2";
 
 /// Does tasks, one after the other. A cell is prepared once for those that follow each other.
 pub(crate) struct Runner<'a> {
@@ -63,8 +66,8 @@ impl<'a> Runner<'a> {
         tell: &mut dyn FnMut(Progress<'_>) -> ControlFlow<()>,
     ) -> Result<Option<Vec<u8>>, CampaignError> {
         match task.part {
-            None => self.scan(task.scan, Journal::default(), tell),
-            Some(part) => self.part(task.scan, part, tell),
+            None => self.scan(task.scan, &Arc::default(), tell),
+            Some(share) => self.part(task.scan, share, tell),
         }
     }
 
@@ -72,7 +75,7 @@ impl<'a> Runner<'a> {
     fn part(
         &mut self,
         scan: usize,
-        part: Part,
+        share: Share,
         tell: &mut dyn FnMut(Progress<'_>) -> ControlFlow<()>,
     ) -> Result<Option<Vec<u8>>, CampaignError> {
         let entry = &self.manifest.scans[scan];
@@ -82,16 +85,16 @@ impl<'a> Runner<'a> {
             return Err(CampaignError::Ours("only exhaustive searches have parts".to_owned()));
         };
         stop.searching();
-        let Some(share) = portion(&prepared, how, Share::new(part.number, part.of), tell)? else { return Ok(None) };
-        let bytes = share.into_bytes().map_err(|e| CampaignError::Ours(e.to_string()))?;
+        let Some(answers) = portion(&prepared, how, share, tell)? else { return Ok(None) };
+        let bytes = answers.to_bytes(ANSWERS).map_err(|e| CampaignError::Ours(e.to_string()))?;
         Ok((!stop.is_asked()).then_some(bytes))
     }
 
-    /// What stands in the `scan.json` of a scan that has this journal; nothing if it was stopped.
+    /// What stands in the `scan.json` of a scan of which these answers are known; nothing if it was stopped.
     pub(super) fn scan(
         &mut self,
         scan: usize,
-        journal: Journal,
+        answers: &Arc<Answers>,
         tell: &mut dyn FnMut(Progress<'_>) -> ControlFlow<()>,
     ) -> Result<Option<Vec<u8>>, CampaignError> {
         let entry = &self.manifest.scans[scan];
@@ -101,7 +104,7 @@ impl<'a> Runner<'a> {
         let prepared = self.prepared(entry.cell)?.beginning(entry.beginning - 1)?;
         let options = options(self.manifest, entry, &prepared, workers);
         stop.searching();
-        let scanned = scan_with(&prepared, options, journal, tell)?;
+        let scanned = scan_with(&prepared, options, answers, tell)?;
         if stop.is_asked() {
             return Ok(None);
         }

@@ -19,7 +19,7 @@ use crate::report::whole::Whole;
 use crate::report::{floorplan, from_anywhere};
 use crate::scan::anywhere::{Effort, Told, anywhere, refusal};
 use crate::scan::{Prepared, Scanned, picture};
-use crate::sim::anywhere::ledger::Ledger;
+use crate::sim::answers::Answers;
 
 /// Where the results are kept beside those of a scan from the starts.
 const FOLDER: &str = "anywhere";
@@ -34,7 +34,7 @@ const STEPS: u64 = 1000;
 
 /// The command.
 pub(super) fn run(run: &Run<'_>, prepared: &Prepared, command: Option<&Command>) -> Result<u8, Failure> {
-    let Run { arguments, stop, goes_on, .. } = *run;
+    let Run { arguments, stop, .. } = *run;
     if let Some(reason) = refusal(prepared) {
         return Err(Failure::unusable(reason));
     }
@@ -48,13 +48,9 @@ pub(super) fn run(run: &Run<'_>, prepared: &Prepared, command: Option<&Command>)
         command.write(&out)?;
     }
     output::event(&Event::Results { folder: out.display().to_string() });
-    let mut ledger = Ledger::default();
-    if command.is_some() {
-        ledger = resume::ledger(&out, prepared, &arguments.extent(), goes_on, &arguments.parts)?;
-    }
-    let ledger = ledger.only(arguments.partition);
-    let Ended { code, cut_short } = look(run, prepared, baseline.as_ref(), (&out, run.time_left()), (&ledger, false))?;
-    if let (known @ 1.., all) = ledger.remembered() {
+    let answers = answers(run, prepared, &out, command.is_some())?.only(arguments.partition);
+    let Ended { code, cut_short } = look(run, prepared, baseline.as_ref(), (&out, run.time_left()), (&answers, false))?;
+    if let (known @ 1.., all) = answers.remembered() {
         output::note(&format!("   Known   {known} of {all} questions were answered before"));
     }
     if command.is_some() {
@@ -95,12 +91,8 @@ pub(super) fn first(run: &Run<'_>, prepared: &Prepared, out: &Path, keeps: bool)
     // What an earlier scan left there is no result of this one, should it fail.
     forget(&own);
     output::write_file(&unfinished, "")?;
-    let arguments = run.arguments;
-    let mut ledger = Ledger::default();
-    if keeps {
-        ledger = resume::ledger(&own, prepared, &arguments.extent(), run.goes_on, &[])?;
-    }
-    let looked = look(run, prepared, None, (&own, run.time_left().map(|time| time / 2)), (&ledger, true));
+    let answers = answers(run, prepared, &own, keeps)?;
+    let looked = look(run, prepared, None, (&own, run.time_left().map(|time| time / 2)), (&answers, true));
     if !matches!(looked, Ok(Ended { code: exit::INTERRUPTED, .. })) {
         let _ = std::fs::remove_file(unfinished);
         resume::finished(&own, false);
@@ -114,6 +106,15 @@ pub(super) fn first(run: &Run<'_>, prepared: &Prepared, out: &Path, keeps: bool)
         }
         Err(failure) => Err(failure),
     }
+}
+
+/// The answers in the folder of the results, with those of parts that ran elsewhere; none if nothing is kept there.
+fn answers(run: &Run<'_>, prepared: &Prepared, out: &Path, keeps: bool) -> Result<Answers, Failure> {
+    if !keeps {
+        return Ok(Answers::default());
+    }
+    let from = format!("anywhere, until {}", run.arguments.extent());
+    resume::answers(out, prepared, &from, run.goes_on, &run.arguments.parts)
 }
 
 /// Results of a scan from anywhere that do not belong to the one that begins.
@@ -156,7 +157,7 @@ fn look(
     prepared: &Prepared,
     baseline: Option<&Baseline>,
     (out, time): (&Path, Option<Duration>),
-    (ledger, beside): (&Ledger, bool),
+    (answers, beside): (&Answers, bool),
 ) -> Result<Ended, Failure> {
     let Run { arguments, path, cell_path, assessments, stop, .. } = *run;
     make(out)?;
@@ -196,7 +197,7 @@ fn look(
         most_states: arguments.most_states(),
         presses: arguments.presses,
         state: arguments.state,
-        ledger,
+        answers,
     };
     let looked = anywhere(prepared, effort, &mut tell)?;
     progress.finish();
@@ -221,7 +222,7 @@ fn look(
     let context =
         results::Context { prepared, rung, path: cell_path, reproduce, baseline, assessments, whole: Some(&found) };
     results::write(&report, &context, out)?;
-    results::write_run(prepared, rung, (did, ledger.remembered().0), reproduce, out)?;
+    results::write_run(prepared, rung, (did, answers.remembered().0), reproduce, out)?;
     match arguments.format {
         Format::Json if beside => {}
         Format::Json => output::json(&json),

@@ -2,6 +2,7 @@
 
 use std::ops::ControlFlow;
 use std::path::Path;
+use std::sync::Arc;
 use std::time::Instant;
 
 use super::changes::Telling;
@@ -17,7 +18,7 @@ use crate::report::terminal;
 use crate::scan::advise::advise;
 use crate::scan::options::Progress;
 use crate::scan::{Prepared, Scanned, scan_with};
-use crate::sim::journal::Journal;
+use crate::sim::answers::Answers;
 
 /// What came out of a search.
 pub(super) struct Ended {
@@ -32,7 +33,7 @@ impl Run<'_> {
         all: &[Prepared],
         baselines: &[Option<Baseline>],
         out: &Path,
-        journals: bool,
+        keeps: bool,
     ) -> Result<u8, Failure> {
         let mut table = beginnings::Table::begun(out, &all[0].subject, self.goes_on);
         table.keep(out)?;
@@ -51,7 +52,7 @@ impl Run<'_> {
                 output::note(&format!("   Begins  {number} of {}: {}", all.len(), beginning.words()));
             }
             let own = out.join(beginnings::folder(number));
-            let (hazards, code) = match self.one(prepared, baseline.as_ref(), &own, journals) {
+            let (hazards, code) = match self.one(prepared, baseline.as_ref(), &own, keeps) {
                 Ok(Ended { report, code }) => (report.hazards, code),
                 // The others are searched all the same.
                 Err(failure) if failure.code() == exit::FMU_FAILED => (Vec::new(), output::failed(&failure)),
@@ -60,7 +61,7 @@ impl Run<'_> {
             if code == exit::INTERRUPTED {
                 return Ok(code);
             }
-            if journals {
+            if keeps {
                 resume::finished(&own, false);
             }
             table.add(&prepared.subject, &hazards, code, out)?;
@@ -78,14 +79,16 @@ impl Run<'_> {
         prepared: &Prepared,
         baseline: Option<&Baseline>,
         out: &Path,
-        journals: bool,
+        keeps: bool,
     ) -> Result<Ended, Failure> {
         let Self { arguments, path, cell_path, assessments, stop, .. } = *self;
         let options = arguments.options(&prepared.cell.search);
         stop.searching();
         let cannot = |e: std::io::Error| Failure::unusable(format!("cannot write results to {}: {e}", out.display()));
         std::fs::create_dir_all(out).map_err(cannot)?;
-        let journal = if journals { resume::journal(out, prepared, self.goes_on)? } else { Journal::default() };
+        let from = format!("the start, beginning {}", prepared.cell.beginning + 1);
+        let kept = || resume::answers(out, prepared, &from, self.goes_on, &[]);
+        let answers = Arc::new(if keeps { kept()? } else { Answers::default() });
         let before = self.goes_on.then(|| Before::of(out)).flatten();
         let mut shown = Shown::new(prepared, &options, stop, out)?;
         let mut tell = |event: Progress<'_>| {
@@ -93,7 +96,7 @@ impl Run<'_> {
             if stop.ends_search() { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }
         };
         let began = Instant::now();
-        let Scanned { mut report, rung, effort, remembered } = scan_with(prepared, options, journal, &mut tell)?;
+        let Scanned { mut report, rung, effort } = scan_with(prepared, options, &answers, &mut tell)?;
         let searched = began.elapsed();
         shown.finish();
         output::phase("writing the results");
@@ -114,7 +117,7 @@ impl Run<'_> {
         let context =
             results::Context { prepared, rung, path: cell_path, reproduce, baseline, assessments, whole: None };
         let mut json = results::write(&report, &context, out)?;
-        results::write_run(prepared, rung, (effort, remembered), reproduce, out)?;
+        results::write_run(prepared, rung, (effort, answers.remembered().0), reproduce, out)?;
         let written = began.elapsed() - searched;
         // What was found is kept by now, whatever becomes of the search for changes.
         if self.advise(prepared, rung, &mut report) {

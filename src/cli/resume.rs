@@ -1,5 +1,5 @@
-//! What an interrupted scan leaves behind so that it can go on: its command line, the journal of its exhaustive part, and the answers
-//! of a look from anywhere; these are what the parts of a divided one bring together, too.
+//! What an interrupted scan leaves behind so that it can go on: its command line, and the answers of its search. These
+//! are what the parts of a divided one bring together, too.
 
 use std::path::{Path, PathBuf};
 
@@ -10,8 +10,7 @@ use super::output;
 use crate::record::recorded::found;
 use crate::scan::Prepared;
 use crate::scan::moved::seen_from;
-use crate::sim::anywhere::ledger::Ledger;
-use crate::sim::journal::Journal;
+use crate::sim::answers::Answers;
 
 /// The command line of a scan, and where it was given.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
@@ -23,7 +22,6 @@ pub(super) struct Command {
 }
 
 const COMMAND: &str = "resume.json";
-const JOURNAL: &str = "journal.bin";
 const ANSWERS: &str = "answers.bin";
 
 impl Command {
@@ -58,22 +56,42 @@ impl Command {
     }
 }
 
-/// The journal in the folder of the results: that of an interrupted scan of the same cell, or a new one.
-pub(super) fn journal(out: &Path, prepared: &Prepared, goes_on: bool) -> Result<Journal, Failure> {
-    let path = out.join(JOURNAL);
+/// The answers of a search in the folder of its results, those of an interrupted one if it `goes_on`; with those of
+/// `parts` that ran elsewhere. `from` says which search of the cell it is.
+pub(super) fn answers(
+    out: &Path,
+    prepared: &Prepared,
+    from: &str,
+    goes_on: bool,
+    parts: &[PathBuf],
+) -> Result<Answers, Failure> {
+    let path = out.join(ANSWERS);
     if !goes_on {
         let _ = std::fs::remove_file(&path);
     }
-    let subject = subject(prepared, &format!("journal 5, beginning {}", prepared.cell.beginning + 1));
-    Journal::open(&path, &subject).map_err(|e| cannot_go_on(&path, &e))
+    let subject = subject(prepared, from);
+    let answers = Answers::open(&path, &subject).map_err(|e| {
+        let help = "scan again from the beginning, without --resume";
+        Failure::unusable_with_help(format!("cannot go on with {}: {e}", path.display()), help)
+    })?;
+    for part in parts {
+        let path = part.join(ANSWERS);
+        std::fs::read(&path).and_then(|bytes| answers.take_in(&bytes, &subject)).map_err(|e| {
+            Failure::unusable_with_help(
+                format!("cannot take in {}: {e}", path.display()),
+                "name folders with results of scans of this cell with --partition and the same --until",
+            )
+        })?;
+    }
+    Ok(answers)
 }
 
-/// What both kinds of files are about.
-fn subject(prepared: &Prepared, what: &str) -> String {
+/// What answers are about.
+fn subject(prepared: &Prepared, from: &str) -> String {
     let fmus: Vec<&str> = prepared.subject.fmus.iter().map(|fmu| fmu.sha256.as_str()).collect();
     let files = prepared.subject.files.iter().map(|file| format!(" {}", file.sha256));
     format!(
-        "fmi-hazard {}, {what}, cell {}{}, FMUs {}, told by bytes: {}",
+        "fmi-hazard {}, answers 2, from {from}, cell {}{}, FMUs {}, told by bytes: {}",
         env!("CARGO_PKG_VERSION"),
         prepared.subject.cell_sha256,
         files.collect::<String>(),
@@ -82,41 +100,10 @@ fn subject(prepared: &Prepared, what: &str) -> String {
     )
 }
 
-fn cannot_go_on(path: &Path, error: &std::io::Error) -> Failure {
-    let help = "scan again from the beginning, without --resume";
-    Failure::unusable_with_help(format!("cannot go on with {}: {error}", path.display()), help)
-}
-
-/// The answers of a look from anywhere in the folder of its results, those of an interrupted one if it `goes_on`; with those of `parts` that
-/// ran elsewhere.
-pub(super) fn ledger(
-    out: &Path,
-    prepared: &Prepared,
-    until: &str,
-    goes_on: bool,
-    parts: &[PathBuf],
-) -> Result<Ledger, Failure> {
-    let path = out.join(ANSWERS);
-    if !goes_on {
-        let _ = std::fs::remove_file(&path);
-    }
-    let subject = subject(prepared, &format!("answers 1, until {until}"));
-    let mut ledger = Ledger::open(&path, &subject).map_err(|e| cannot_go_on(&path, &e))?;
-    for part in parts {
-        let path = part.join(ANSWERS);
-        ledger.take_in(&path, &subject).map_err(|e| {
-            Failure::unusable_with_help(
-                format!("cannot take in {}: {e}", path.display()),
-                "name folders with results of scans of this cell with --partition and the same --until",
-            )
-        })?;
-    }
-    Ok(ledger)
-}
-
 /// Nothing is left to go on with; answers of a part stay.
 pub(super) fn finished(out: &Path, is_part: bool) {
-    for name in [COMMAND, JOURNAL].into_iter().chain((!is_part).then_some(ANSWERS)) {
-        let _ = std::fs::remove_file(out.join(name));
+    let _ = std::fs::remove_file(out.join(COMMAND));
+    if !is_part {
+        let _ = std::fs::remove_file(out.join(ANSWERS));
     }
 }

@@ -77,16 +77,16 @@ fn run_as(arguments: &Arguments, command: Option<Command>, goes_on: bool) -> Res
         command.write(&out)?;
     }
     let run = Run { arguments, path, cell_path, assessments: &assessments, stop: &stop, began, goes_on, several };
-    let journals = command.is_some();
+    let keeps = command.is_some();
     let baselines = all.iter().map(|prepared| run.baseline(prepared, prepared.subject.beginning.as_ref()));
     let baselines = baselines.collect::<Result<Vec<_>, _>>()?;
-    let whole = if from == From::Both { anywhere::first(&run, &prepared, &out, journals)? } else { None };
+    let whole = if from == From::Both { anywhere::first(&run, &prepared, &out, keeps)? } else { None };
     if whole == Some(exit::INTERRUPTED) {
         output::note(&format!(" Go on: fmi-hazard scan --resume {}", out.display()));
         return Ok(exit::INTERRUPTED);
     }
     let code = if several {
-        run.all(&all, &baselines, &out, journals)?
+        run.all(&all, &baselines, &out, keeps)?
     } else {
         beginnings::forget(&out);
         if let Some(time) = run.time_left() {
@@ -95,9 +95,9 @@ fn run_as(arguments: &Arguments, command: Option<Command>, goes_on: bool) -> Res
         if whole.is_some() && arguments.format == Format::Table {
             output::result("\nFrom the cell's start");
         }
-        run.one(&all[0], baselines[0].as_ref(), &out, journals)?.code
+        run.one(&all[0], baselines[0].as_ref(), &out, keeps)?.code
     };
-    if journals {
+    if keeps {
         if stop.is_asked() {
             output::note(&format!(" Go on: fmi-hazard scan --resume {}", out.display()));
         } else {

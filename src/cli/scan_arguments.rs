@@ -17,7 +17,7 @@ use crate::scan::options::Method;
 use crate::scan::remedy::{Effort, Everywhere};
 use crate::scan::{Exhaustive, ScanOptions, StateChoice, StrategyName};
 use crate::search::exhaustive::Budget;
-use crate::sim::anywhere::ledger::Share;
+use crate::sim::answers::Share;
 use crate::sim::expansion::Merge;
 
 /// When a scan is over.

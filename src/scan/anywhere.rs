@@ -47,8 +47,8 @@ use crate::record::anywhere::{Anywhere, Ground, Place, Spent, Watched};
 use crate::record::model::SCHEMA_VERSION;
 use crate::scan::speeds::Speeds;
 use crate::search::tracks::explore;
+use crate::sim::answers::Answers;
 use crate::sim::anywhere::instants::Part;
-use crate::sim::anywhere::ledger::Ledger;
 use crate::sim::anywhere::machine::Machine;
 use crate::sim::anywhere::told::seen;
 use crate::sim::anywhere::zones::{Readings, Zones};
@@ -155,7 +155,7 @@ pub struct Effort<'a> {
     /// How the FMU's states are brought back.
     pub state: StateChoice,
     /// What is known from before, and what is kept for later.
-    pub ledger: &'a Ledger,
+    pub answers: &'a Answers,
 }
 
 /// What is being put together.
@@ -527,8 +527,8 @@ impl<'a> Looking<'a> {
             #[expect(clippy::cast_precision_loss, reason = "some thousand")]
             let share = |part: f64| (done as f64 + part * between.seen.len() as f64) / all as f64;
             let known = self.found.hazards.iter().filter(|place| place.confirmed).count();
-            let Effort { workers, ledger, .. } = self.effort;
-            let (means, span) = (Means { workers, ledger }, map::span(self.found.until_s, cell.step_s));
+            let Effort { workers, answers, .. } = self.effort;
+            let (means, span) = (Means { workers, answers }, map::span(self.found.until_s, cell.step_s));
             let mut told = |part| tell(Told::Floor(share(part), known));
             let in_parts = |parts: usize, near: &dyn Fn(&RobotFrame) -> bool| (sets.in_parts)(number, parts, near);
             let histories = Histories { at_instants: history, around: between, in_parts: &in_parts };
@@ -665,7 +665,7 @@ impl<'a> Looking<'a> {
         });
         found.hazards = once_each(std::mem::take(&mut found.hazards));
         found.hazards.sort_by(|a, b| b.confirmed.cmp(&a.confirmed).then(b.ratio.total_cmp(&a.ratio)));
-        let is_part = self.effort.ledger.share().is_some();
+        let is_part = self.effort.answers.share().is_some();
         let left = not_looked_at(found, &self.walkable, if is_part { End::Short.and(self.end) } else { self.end });
         self.said.extend(left.map(|why| (Need::Searched, Point::open(why))));
         if self.end == End::Stopped {

@@ -1,6 +1,7 @@
 //! A search, and the same again on the next rung when it is not to be relied on.
 
 use std::ops::ControlFlow;
+use std::sync::Arc;
 
 use super::confirm::confirm;
 use super::exhaustive::census;
@@ -15,8 +16,8 @@ use crate::host::selftest::Rung;
 use crate::host::{Effort, Hosted, Plant as _, Unlike};
 use crate::obligations::{Need, Point};
 use crate::record::hazard::Hazard;
+use crate::sim::answers::Answers;
 use crate::sim::expansion::Merge;
-use crate::sim::journal::Journal;
 
 /// Sequences of the quick part of a scan before its complete part begins: so that something is there soon.
 const FIRST: u32 = 5;
@@ -45,7 +46,7 @@ pub(super) struct Attempt {
 pub(super) fn attempts(
     prepared: &Prepared,
     options: ScanOptions,
-    mut journal: Journal,
+    answers: &Arc<Answers>,
     links: &[String],
     tell: &mut dyn FnMut(Progress<'_>) -> ControlFlow<()>,
 ) -> Result<Attempt, ScanError> {
@@ -60,7 +61,7 @@ pub(super) fn attempts(
         // One process for all; each plain run has a fresh instance in it.
         let mut plain = footing.plain(prepared);
         let mut groups = Groups::default();
-        let once = once(prepared, (footing, &mut plain), options, &mut journal, links, &mut groups, tell);
+        let once = once(prepared, (footing, &mut plain), (options, answers), links, &mut groups, tell);
         let mut searched = match once {
             Err(error) if error.cause.stopped => Searched::nothing(options.method, sensors.len()),
             // What an earlier attempt confirmed is told all the same.
@@ -167,19 +168,14 @@ fn repeatable(prepared: &Prepared, plain: &mut Hosted, doubt: &mut Doubt) -> Res
 fn once(
     prepared: &Prepared,
     (footing, plain): (Footing, &mut Hosted),
-    options: ScanOptions,
-    journal: &mut Journal,
+    (options, answers): (ScanOptions, &Arc<Answers>),
     links: &[String],
     groups: &mut Groups,
     tell: &mut dyn FnMut(Progress<'_>) -> ControlFlow<()>,
 ) -> Result<Searched, ScanError> {
-    let mut all =
-        |how, plain: &mut Hosted, groups: &mut Groups, tell: &mut dyn FnMut(Progress<'_>) -> ControlFlow<()>| {
-            let census = census(prepared, (footing, plain), how, std::mem::take(journal), links, groups, tell)?;
-            let (searched, left) = Searched::all(census);
-            *journal = left;
-            Ok::<_, ScanError>(searched)
-        };
+    let all = |how, plain: &mut Hosted, groups: &mut Groups, tell: &mut dyn FnMut(Progress<'_>) -> ControlFlow<()>| {
+        census(prepared, (footing, plain), (how, answers), links, groups, tell).map(Searched::all)
+    };
     match options.method {
         Method::Strategy(name) => search(prepared, (footing, plain), name, options, links, groups, tell),
         Method::Exhaustive(how) => all(how, plain, groups, tell),

@@ -20,8 +20,8 @@ use crate::record::hazard::Hazard;
 use crate::record::model::FaultRecord;
 use crate::search::exhaustive::{Account, Budget, Expansion as _, Prefixes, Stopped, Told, exhaust_watched};
 use crate::search::statistics::Independent;
+use crate::sim::answers::Answers;
 use crate::sim::expansion::Expander;
-use crate::sim::journal::Journal;
 use crate::sim::motion::Motion;
 use crate::sim::{Coverage, World};
 
@@ -42,8 +42,6 @@ pub(super) struct Census {
     pub fmu_steps: u64,
     pub fmu_states: usize,
     pub effort: Effort,
-    /// Questions whose answers were in the journal.
-    pub remembered: u64,
     pub faults: Vec<FaultRecord>,
     /// The user ended the search.
     pub interrupted: bool,
@@ -51,8 +49,6 @@ pub(super) struct Census {
     pub broken: Option<PlantError>,
     /// Why it is not to be relied on.
     pub doubt: Option<Doubt>,
-    /// For the next search.
-    pub journal: Journal,
 }
 
 /// States met before the first look at some of their transitions, which catches most lies before much time is spent; the
@@ -115,8 +111,7 @@ fn taken(world: &World, prefixes: &Prefixes, then: impl Iterator<Item = Action>)
 pub(super) fn census(
     prepared: &Prepared,
     (footing, plain): (Footing, &mut Hosted),
-    options: Exhaustive,
-    journal: Journal,
+    (options, answers): (Exhaustive, &Arc<Answers>),
     links: &[String],
     groups: &mut Groups,
     tell: &mut dyn FnMut(Progress<'_>) -> ControlFlow<()>,
@@ -128,7 +123,7 @@ pub(super) fn census(
     let (plant, policy) = (footing.plant(prepared), footing.policy(prepared));
     let mut expander = Expander::new(cell, binding, plant, policy, footing.merge, options.workers)
         .map_err(|cause| ScanError { cause })?
-        .with_journal(journal);
+        .with_answers(Arc::clone(answers));
     let mut looks = Looks { plain, footing, looked: 0, due: FIRST_LOOK, unlike: None };
     let mut faults = Vec::new();
     let mut look = |expander: &Expander<Hosted>, go_on: &mut dyn FnMut() -> bool| looks.look(expander.recall(), go_on);
@@ -211,11 +206,9 @@ pub(super) fn census(
         fmu_steps: expander.recall().steps(),
         fmu_states: expander.recall().states(),
         effort: expander.recall().effort_of_workers(),
-        remembered: expander.journal().remembered(),
         faults,
         broken,
         doubt,
-        journal: expander.into_journal(),
     })
 }
 

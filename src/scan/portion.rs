@@ -9,11 +9,10 @@ use super::hosting::StateChoice;
 use super::options::{Exhaustive, Progress, ScanError};
 use super::prepare::Prepared;
 use crate::search::exhaustive::{Stopped, Told, exhaust};
-use crate::sim::answers::Share;
+use crate::sim::answers::{Answers, Share};
 use crate::sim::expansion::Expander;
-use crate::sim::journal::Journal;
 
-/// Answers the questions of `share`; nothing if it was told to stop.
+/// What is answered to the questions of `share`; nothing if it was told to stop.
 ///
 /// # Errors
 /// When the FMU fails.
@@ -22,13 +21,14 @@ pub(crate) fn portion(
     how: Exhaustive,
     share: Share,
     tell: &mut dyn FnMut(Progress<'_>) -> ControlFlow<()>,
-) -> Result<Option<Share>, ScanError> {
+) -> Result<Option<Arc<Answers>>, ScanError> {
     let footing = Footing::asked(prepared, StateChoice::Auto, how.merge);
     let (cell, binding) = (Arc::clone(&prepared.cell), Arc::clone(&prepared.binding));
+    let answers = Arc::new(Answers::in_memory(share));
     let (plant, policy) = (footing.plant(prepared), footing.policy(prepared));
     let mut expander = Expander::new(cell, binding, plant, policy, footing.merge, how.workers)
         .map_err(|cause| ScanError { cause })?
-        .with_journal(Journal::of_part(share));
+        .with_answers(Arc::clone(&answers));
     let account = exhaust(&mut expander, how.budget, &mut |told| match told {
         Told::Progress { depth, done, of, cost } => tell(Progress::Level { depth, done, of, hazards: 0, cost }),
         Told::Working | Told::Met(_) | Told::Noted { .. } | Told::Failed { .. } => tell(Progress::Working),
@@ -36,7 +36,7 @@ pub(crate) fn portion(
     match account {
         Ok(account) if account.stopped == Stopped::Asked => Ok(None),
         // As far as the budget goes: what is left is worked out by whoever needs it.
-        Ok(_) => Ok(expander.into_journal().into_part()),
+        Ok(_) => Ok(Some(answers)),
         Err(cause) if cause.stopped => Ok(None),
         Err(cause) => Err(ScanError { cause }),
     }

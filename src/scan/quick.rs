@@ -230,7 +230,6 @@ impl<'a> Quick<'a> {
             fmu_steps,
             fmu_states,
             effort: simulation.recall().effort_of_workers(),
-            remembered: 0,
             notes: Vec::new(),
         };
         (searched, self.groups)

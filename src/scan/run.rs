@@ -1,6 +1,7 @@
 //! One search, its findings grouped and confirmed, as a [`ScanReport`].
 
 use std::ops::ControlFlow;
+use std::sync::Arc;
 
 use super::attempts::{Attempt, attempts};
 use super::causes::causes;
@@ -18,7 +19,7 @@ use crate::obligations::{Obligations, Verdict};
 use crate::record::headline::{self};
 use crate::record::model::{FaultRecord, Headline, SCHEMA_VERSION, STANDARD_EDITION, ScanReport, Settings, Spent};
 use crate::scan::speeds::Speeds;
-use crate::sim::journal::Journal;
+use crate::sim::answers::Answers;
 use crate::standards::provenance::Table;
 use crate::standards::tables;
 
@@ -30,8 +31,6 @@ pub struct Scanned {
     pub rung: Rung,
     /// What the FMU did for it.
     pub effort: Effort,
-    /// Questions of the exhaustive search whose answers were in its journal.
-    pub remembered: u64,
 }
 
 /// Searches, groups, confirms.
@@ -45,20 +44,20 @@ pub fn scan(
     options: ScanOptions,
     tell: &mut dyn FnMut(Progress<'_>) -> ControlFlow<()>,
 ) -> Result<Scanned, ScanError> {
-    scan_with(prepared, options, Journal::default(), tell)
+    scan_with(prepared, options, &Arc::default(), tell)
 }
 
-/// The same, going on from what `journal` holds of an exhaustive search and adding to it.
+/// The same, with the answers of an exhaustive search that are known from before, and those that it adds.
 ///
 /// # Errors
 /// As [`scan`].
 pub fn scan_with(
     prepared: &Prepared,
     options: ScanOptions,
-    journal: Journal,
+    answers: &Arc<Answers>,
     tell: &mut dyn FnMut(Progress<'_>) -> ControlFlow<()>,
 ) -> Result<Scanned, ScanError> {
-    let mut scanned = scan_alone(prepared, options, journal, tell)?;
+    let mut scanned = scan_alone(prepared, options, answers, tell)?;
     scanned.report.cycle = share(prepared, tell);
     // How much of the cycle that is stands in it.
     scanned.report.headline = headline::from_start(&scanned.report);
@@ -69,12 +68,12 @@ pub fn scan_with(
 pub(super) fn scan_alone(
     prepared: &Prepared,
     options: ScanOptions,
-    journal: Journal,
+    answers: &Arc<Answers>,
     tell: &mut dyn FnMut(Progress<'_>) -> ControlFlow<()>,
 ) -> Result<Scanned, ScanError> {
     let links: Vec<String> = prepared.cell.links.iter().map(|l| l.name.clone()).collect();
     let Attempt { footing, mut searched, hazards, notes, effort, doubt } =
-        attempts(prepared, options, journal, &links, tell)?;
+        attempts(prepared, options, answers, &links, tell)?;
     let mut warnings = prepared.warnings();
     warnings.extend(notes);
     warnings.extend(searched.notes.iter().cloned());
@@ -107,7 +106,7 @@ pub(super) fn scan_alone(
     // Where every sequence was looked at, the truth is known.
     let has_all = searched.has_all();
     let Searched { name, iterations, broken, mut certificate, figures, coverage, mut faults, .. } = searched;
-    let Searched { fmu_steps, fmu_states, remembered, .. } = searched;
+    let Searched { fmu_steps, fmu_states, .. } = searched;
     if let Some(error) = &broken {
         faults.push(FaultRecord { message: format!("the search ended here: {}", error.message), actions: Vec::new() });
     }
@@ -148,7 +147,7 @@ pub(super) fn scan_alone(
         warnings,
     };
     report.headline = headline::from_start(&report);
-    Ok(Scanned { report, rung, effort, remembered })
+    Ok(Scanned { report, rung, effort })
 }
 
 /// The tables behind what counts in a cell.

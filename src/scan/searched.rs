@@ -9,7 +9,6 @@ use crate::record::certificate::Certificate;
 use crate::record::model::FaultRecord;
 use crate::search::residual::Figures;
 use crate::sim::Coverage;
-use crate::sim::journal::Journal;
 use crate::sim::motion::Motion;
 
 /// Name of [`Method::Auto`].
@@ -34,7 +33,6 @@ pub(super) struct Searched {
     pub fmu_steps: u64,
     pub fmu_states: usize,
     pub effort: Effort,
-    pub remembered: u64,
     /// Why it is not to be relied on.
     pub doubt: Option<Doubt>,
     pub notes: Vec<String>,
@@ -63,7 +61,6 @@ impl Searched {
             fmu_steps: 0,
             fmu_states: 0,
             effort: Effort::default(),
-            remembered: 0,
             doubt: None,
             notes: Vec::new(),
         }
@@ -115,7 +112,7 @@ impl Searched {
         }
     }
 
-    pub(super) fn all(census: Census) -> (Self, Journal) {
+    pub(super) fn all(census: Census) -> Self {
         let Census {
             certificate,
             gaps,
@@ -124,14 +121,12 @@ impl Searched {
             fmu_steps,
             fmu_states,
             effort,
-            remembered,
             faults,
             interrupted,
             broken,
             doubt,
-            journal,
         } = census;
-        let searched = Self {
+        Self {
             name: "exhaustive",
             iterations: 0,
             interrupted,
@@ -146,10 +141,8 @@ impl Searched {
             fmu_steps,
             fmu_states,
             effort,
-            remembered,
             doubt,
             notes: Vec::new(),
-        };
-        (searched, journal)
+        }
     }
 }

@@ -14,8 +14,8 @@
 
 mod ahead;
 mod joined;
+mod known;
 mod questions;
-mod shared;
 mod situations;
 
 use std::borrow::Cow;
@@ -26,10 +26,10 @@ use self::ahead::{Move, Outlook, Way};
 use self::joined::{Joined, Met};
 use self::situations::Situations;
 use super::Coverage;
+use super::answers::Answers;
 use super::befallen::is_told;
 use super::bound::RobotBounds;
 use super::going::{Begin, Gone};
-use super::journal::Journal;
 use super::motion::Motion;
 use super::robots::{Robots, Shadow};
 use super::sensors::DelayLine;
@@ -75,7 +75,7 @@ pub struct Expander<P: Plant> {
     /// the body was first seen in it, and how many such states there are.
     bundles: BTreeMap<(Vec<usize>, Vec<Shadow>), NodeId>,
     coverage: Coverage,
-    journal: Journal,
+    answers: Arc<Answers>,
     questions: u64,
 }
 
@@ -200,28 +200,15 @@ impl<P: Plant> Expander<P> {
             bundles: BTreeMap::new(),
             coverage: world.nothing_seen(),
             questions: 0,
-            journal: Journal::default(),
+            answers: Arc::default(),
             world,
         })
     }
 
-    /// The same, going on from what `journal` holds and adding to it.
+    /// The same, with what is known from before, and what is kept.
     #[must_use]
-    pub(crate) fn with_journal(mut self, journal: Journal) -> Self {
-        self.journal = journal;
-        self
-    }
-
-    /// What was worked out before.
-    #[must_use]
-    pub(crate) const fn journal(&self) -> &Journal {
-        &self.journal
-    }
-
-    /// The same, when the search is over.
-    #[must_use]
-    pub(crate) fn into_journal(self) -> Journal {
-        self.journal
+    pub(crate) fn with_answers(self, answers: Arc<Answers>) -> Self {
+        Self { answers, ..self }
     }
 
     /// What was seen. Actions and contact checks that came up several times count once.

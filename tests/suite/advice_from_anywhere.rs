@@ -14,7 +14,7 @@ use fmi_hazard::scan::advise::advise;
 use fmi_hazard::scan::anywhere::Until;
 use fmi_hazard::scan::prepare::prepare;
 use fmi_hazard::scan::remedy::{Effort, Everywhere};
-use fmi_hazard::sim::anywhere::ledger::Ledger;
+use fmi_hazard::sim::answers::Answers;
 use serde_json::Value;
 use tempfile::TempDir;
 
@@ -82,7 +82,7 @@ impl Advised {
         assert!(checked.is_enough(), "{remedy:#?}");
         assert!(!self.is_hazardous(&remedy.cell), "{}", remedy.change);
         let path = write(self.dir.path(), "changed.toml", &remedy.cell);
-        let looked = look_with((&path, self.until_s, 2), &Ledger::default(), &mut |_| ControlFlow::Continue(()));
+        let looked = look_with((&path, self.until_s, 2), &Answers::default(), &mut |_| ControlFlow::Continue(()));
         assert!(looked.found.verdict.is_clean(), "{}: {:?}", remedy.change, looked.found.reasons);
         let less = match &checked.one_less {
             OneLess::AsItIs => return None,

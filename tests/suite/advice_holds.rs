@@ -14,7 +14,7 @@ use fmi_hazard::scan::anywhere::{Effort as AnywhereEffort, Until, anywhere, refu
 use fmi_hazard::scan::prepare::prepare;
 use fmi_hazard::scan::remedy::{Effort, Everywhere};
 use fmi_hazard::scan::{Prepared, StateChoice};
-use fmi_hazard::sim::anywhere::ledger::Ledger;
+use fmi_hazard::sim::answers::Answers;
 use tempfile::TempDir;
 
 /// How long everybody from anywhere is looked for: the first cycle of the bar, and some more.
@@ -60,14 +60,14 @@ fn of_anywhere(prepared: &Prepared, text: &str) -> String {
     if let Some(why) = refusal(&changed) {
         return format!("refused: {why}");
     }
-    let ledger = Ledger::default();
+    let answers = Answers::default();
     let effort = AnywhereEffort {
         until: UNTIL,
         workers: 2,
         most_states: 100_000,
         presses: 1,
         state: StateChoice::Auto,
-        ledger: &ledger,
+        answers: &answers,
     };
     match anywhere(&changed, effort, &mut |_| ControlFlow::Continue(())) {
         Err(error) => format!("failed: {}", error.cause.message),

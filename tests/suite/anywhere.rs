@@ -15,7 +15,7 @@ use fmi_hazard::record::model::Verdict;
 use fmi_hazard::scan::StateChoice;
 use fmi_hazard::scan::anywhere::{Effort, Told, Until, anywhere};
 use fmi_hazard::scan::prepare::prepare;
-use fmi_hazard::sim::anywhere::ledger::Ledger;
+use fmi_hazard::sim::answers::Answers;
 use fmi_hazard::standards::BodyRegion;
 
 /// A mat around it that is so wide keeps everybody from it until it stands, m.
@@ -79,7 +79,7 @@ fn first_found(dir: &Path, text: &str, until_s: f64) -> Anywhere {
         Told::Floor(_, hazards) if hazards > 0 => ControlFlow::Break(()),
         _ => ControlFlow::Continue(()),
     };
-    look_with((&write(dir, "cell.toml", text), until_s, 2), &Ledger::default(), tell).found
+    look_with((&write(dir, "cell.toml", text), until_s, 2), &Answers::default(), tell).found
 }
 
 /// A wide opening, on a strip of floor before it: only arms get through. That nobody gets through a closed one: `anywhere_instants`.
@@ -388,9 +388,9 @@ fn what_comes_before_the_first_cycle_counts_as_well() {
     let text = straight(&cell(0.45, "")).replace("start = { xy_m = [0, -3]", floor);
     let text = format!("{text}\"burst.at\" = 0.39\n\"burst.by\" = 15\n");
     let prepared = prepare(&write(dir.path(), "cell.toml", &text), None).unwrap();
-    let ledger = Ledger::default();
+    let answers = Answers::default();
     let (until, state) = (Until::Cycles(2), StateChoice::Auto);
-    let effort = Effort { until, workers: 1, most_states: 100_000, presses: 1, state, ledger: &ledger };
+    let effort = Effort { until, workers: 1, most_states: 100_000, presses: 1, state, answers: &answers };
     let found = anywhere(&prepared, effort, &mut |_| ControlFlow::Break(())).unwrap().found;
     let cycle_s = found.cycle_s.expect("it repeats what it does");
     assert!((cycle_s - 1.26).abs() < 0.01 && (found.until_s - 2.92).abs() < 0.025, "{cycle_s} {}", found.until_s);
@@ -676,12 +676,12 @@ fn what_was_ended_goes_on(text: &str, until_s: f64) {
     let kept = dir.path().join("answers.bin");
     let mut answered = 0;
     for at in [0.5, 2.0] {
-        let ledger = Ledger::open(&kept, "cell").unwrap();
+        let answers = Answers::open(&kept, "cell").unwrap();
         let tell = &mut |told: Told| match told {
             Told::Floor(share, _) if share > at => ControlFlow::Break(()),
             _ => ControlFlow::Continue(()),
         };
-        let looked = look_with((&path, until_s, 2), &ledger, tell);
+        let looked = look_with((&path, until_s, 2), &answers, tell);
         assert_eq!((looked.was_cut_short(), json(&looked.found) == json(&whole)), (at < 1.0, at > 1.0), "{at}");
         // Of floor that was not looked at to the end nothing clean is said.
         let is_told = |cell: &Cell| {
@@ -692,27 +692,29 @@ fn what_was_ended_goes_on(text: &str, until_s: f64) {
         };
         assert!(whole.floor.iter().all(is_told), "{at}: {:?}", looked.found);
         assert_eq!(looked.found.not_looked_at > 20, at < 1.0, "{at}: {:?}", looked.found);
-        let (known, _) = ledger.remembered();
+        let (known, _) = answers.remembered();
         assert!(known > answered || at < 1.0, "{at}: {known} {answered}");
         answered = known;
     }
     // Ended before anything was known: that is why, and nothing else.
-    let none = look_with((&path, until_s, 2), &Ledger::default(), &mut |_| ControlFlow::Break(()));
+    let none = look_with((&path, until_s, 2), &Answers::default(), &mut |_| ControlFlow::Break(()));
     assert!(none.was_cut_short() && none.found.verdict == Verdict::Inconclusive, "{:?}", none.found);
     assert!(none.found.reasons.iter().all(|reason| !reason.contains("no robot moved")), "{:?}", none.found.reasons);
     let part = |number: usize| dir.path().join(format!("part-{number}.bin"));
     for number in 1..=2 {
         let share = format!("{number}/2").parse().unwrap();
-        let ledger = Ledger::open(&part(number), "cell").unwrap().only(Some(share));
-        let found = look_with((&path, until_s, 1), &ledger, &mut |_| ControlFlow::Continue(())).found;
+        let answers = Answers::open(&part(number), "cell").unwrap().only(Some(share));
+        let found = look_with((&path, until_s, 1), &answers, &mut |_| ControlFlow::Continue(())).found;
         assert!(!found.verdict.is_clean() && json(&found) != json(&whole), "{number}");
         assert!(found.reasons.iter().any(|reason| reason.contains(&format!("part {number}/2"))), "{found:?}");
         assert!(found.not_looked_at > 20, "{found:?}");
     }
-    let mut ledger = Ledger::default();
-    [2, 1].into_iter().for_each(|number| ledger.take_in(&part(number), "cell").unwrap());
-    let merged = look_with((&path, until_s, 2), &ledger, &mut |_| ControlFlow::Continue(())).found;
+    let answers = Answers::default();
+    for number in [2, 1] {
+        answers.take_in(&std::fs::read(part(number)).unwrap(), "cell").unwrap();
+    }
+    let merged = look_with((&path, until_s, 2), &answers, &mut |_| ControlFlow::Continue(())).found;
     assert_eq!(json(&merged), json(&whole));
-    let (known, all) = ledger.remembered();
+    let (known, all) = answers.remembered();
     assert!(2 * known > all, "{known} of {all}");
 }

@@ -19,7 +19,7 @@ use fmi_hazard::scan::StateChoice;
 use fmi_hazard::scan::prepare::prepare;
 use fmi_hazard::search::Rng;
 use fmi_hazard::sim::Coverage;
-use fmi_hazard::sim::anywhere::ledger::Ledger;
+use fmi_hazard::sim::answers::Answers;
 use fmi_hazard::sim::anywhere::told::{ARCS, Asking, Told, arc};
 use fmi_hazard::sim::anywhere::zones::Zones;
 use fmi_hazard::sim::anywhere::{Anywhere as Search, BODY_TOLERANCE_M, Histories, Means, told_in};
@@ -45,7 +45,7 @@ fn look_at_poses(asked: &Asked<'_>) -> (usize, usize) {
     let history = instant.history(&search, asked.reading, asked.walked);
     let mut coverage = Coverage::new(cell.sensors.len());
     let tell = &mut |_| ControlFlow::Continue(());
-    let means = Means { workers: 2, ledger: &Ledger::default() };
+    let means = Means { workers: 2, answers: &Answers::default() };
     let found = search.search(
         Histories { at_instants: &history, around: &history, in_parts: &|_, _| Some(history.clone()) },
         5,
@@ -154,7 +154,7 @@ fn a_closed_fence_keeps_everybody_out_on_cells_of_any_size() {
             let frames = std::iter::once(&*instant.frame);
             let search = Search::on_cells_of(floor_m, cell, frames, 0.0, instant.prepared.stop()).unwrap();
             let history = instant.history(&search, None, ANYWHERE);
-            let means = Means { workers: 2, ledger: &Ledger::default() };
+            let means = Means { workers: 2, answers: &Answers::default() };
             let tell = &mut |_| ControlFlow::Continue(());
             let found = search.search(
                 Histories { at_instants: &history, around: &history, in_parts: &|_, _| Some(history.clone()) },

@@ -10,7 +10,7 @@ use crate::sample;
 use fmi_hazard::record::anywhere::Anywhere;
 use fmi_hazard::record::model::Verdict;
 use fmi_hazard::scan::anywhere::Told;
-use fmi_hazard::sim::anywhere::ledger::Ledger;
+use fmi_hazard::sim::answers::Answers;
 
 #[test]
 fn floor_that_was_not_looked_at_is_told_and_never_clean() {
@@ -25,7 +25,7 @@ fn floor_that_was_not_looked_at_is_told_and_never_clean() {
                     Told::Floor(share, _) if share >= at => ControlFlow::Break(()),
                     _ => ControlFlow::Continue(()),
                 };
-                look_with((&path, UNTIL_S, 2), &Ledger::default(), &mut tell).found
+                look_with((&path, UNTIL_S, 2), &Answers::default(), &mut tell).found
             };
             let whole = ended(2.0);
             assert!(whole.not_looked_at == 0 && whole.not_looked_at_m.is_empty(), "{fmu} {watches}");

@@ -26,9 +26,9 @@ fn an_exhaustive_search_goes_on_where_it_was() {
     std::fs::write(dir.join("heavy-workpiece/short.toml"), short).unwrap();
     let scan = |out| ["scan", "--no-advice", "heavy-workpiece/short.toml", "--strategy", "exhaustive", "--out", out];
     fmi_hazard(dir).args(scan("whole")).assert().code(1);
-    assert!(!dir.join("whole/resume.json").exists() && !dir.join("whole/journal.bin").exists());
+    assert!(!dir.join("whole/resume.json").exists() && !dir.join("whole/answers.bin").exists());
     for (out, signal, code) in sample::some([("stopped", "-INT", Some(130)), ("killed", "-KILL", None)], 2) {
-        // The last but one action begins when the others are in the journal.
+        // The last but one action begins when the others are in the file.
         let last_but_one = format!("action {} of {actions}", actions - 1);
         assert_eq!(interrupted(dir, &scan(out), &last_but_one, signal), code);
         if signal == "-INT" {
@@ -36,10 +36,10 @@ fn an_exhaustive_search_goes_on_where_it_was() {
             assert_eq!(so_far["certificate"]["complete"], false);
             assert_eq!(json(&dir.join(out).join("resume.json"))["folder"], "..", "so that both may be moved");
         }
-        // From another folder, and with less than was known: the end of the journal is torn.
-        let journal = dir.join(out).join("journal.bin");
-        let bytes = std::fs::read(&journal).unwrap();
-        std::fs::write(&journal, &bytes[..bytes.len() - 5]).unwrap();
+        // From another folder, and with less than was known: the end of the file is torn.
+        let kept = dir.join(out).join("answers.bin");
+        let bytes = std::fs::read(&kept).unwrap();
+        std::fs::write(&kept, &bytes[..bytes.len() - 5]).unwrap();
         let elsewhere = dir.join("safety-fence");
         let folder = format!("../{out}");
         fmi_hazard(&elsewhere).args(["scan", "--resume", &folder]).assert().code(1);
@@ -48,7 +48,7 @@ fn an_exhaustive_search_goes_on_where_it_was() {
             assert!(read(out) == read("whole"), "{out} {file}");
         }
         assert!(json(&dir.join(out).join("run.json"))["questions_from_journal"].as_u64().unwrap() > 1000);
-        assert!(!journal.exists() && !dir.join(out).join("resume.json").exists());
+        assert!(!kept.exists() && !dir.join(out).join("resume.json").exists());
         // There is nothing left to do.
         let output = fmi_hazard(dir).args(["scan", "--resume", out]).assert().code(2).get_output().clone();
         assert!(String::from_utf8_lossy(&output.stderr).contains("no scan to go on with"));

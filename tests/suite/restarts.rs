@@ -13,7 +13,7 @@ use fmi_hazard::record::model::Verdict;
 use fmi_hazard::scan::StateChoice;
 use fmi_hazard::scan::anywhere::{Effort, Until, anywhere};
 use fmi_hazard::scan::prepare::prepare;
-use fmi_hazard::sim::anywhere::ledger::Ledger;
+use fmi_hazard::sim::answers::Answers;
 use tempfile::TempDir;
 
 /// What watches the opening of the wall.
@@ -60,9 +60,9 @@ pub fn look(dir: &TempDir, text: &str, most_states: usize) -> Anywhere {
 
 fn look_with(dir: &TempDir, text: &str, most_states: usize, state: StateChoice) -> Anywhere {
     let path = write(dir.path(), "cell.toml", text);
-    let ledger = Ledger::default();
+    let answers = Answers::default();
     let until = Until::Seconds(UNTIL_S);
-    let effort = Effort { until, workers: 2, most_states, presses: 1, state, ledger: &ledger };
+    let effort = Effort { until, workers: 2, most_states, presses: 1, state, answers: &answers };
     anywhere(&prepare(&path, None).unwrap(), effort, &mut |_| ControlFlow::Continue(())).unwrap().found
 }
 

@@ -12,7 +12,7 @@ use fmi_hazard::record::anywhere::Anywhere;
 use fmi_hazard::scan::StateChoice;
 use fmi_hazard::scan::anywhere::{Effort, Until, anywhere};
 use fmi_hazard::scan::prepare::prepare;
-use fmi_hazard::sim::anywhere::ledger::Ledger;
+use fmi_hazard::sim::answers::Answers;
 
 /// The folder of the bar's FMU, and of that of FMI 3 by the same name: one of them, or both where all cases are looked at.
 fn both() -> impl Iterator<Item = tempfile::TempDir> {
@@ -127,9 +127,9 @@ fn the_same_is_tried_however_states_are_brought_back() {
     for (text, until_s) in [(bars, 0.2), (with_field(""), 0.12)] {
         let path = write(dir.path(), "cell.toml", &text);
         let [saved, replayed] = [StateChoice::Auto, StateChoice::Replay].map(|state| {
-            let (prepared, ledger) = (prepare(&path, None).unwrap(), Ledger::default());
+            let (prepared, answers) = (prepare(&path, None).unwrap(), Answers::default());
             let until = Until::Seconds(until_s);
-            let effort = Effort { until, workers: 2, most_states: 100_000, presses: 1, state, ledger: &ledger };
+            let effort = Effort { until, workers: 2, most_states: 100_000, presses: 1, state, answers: &answers };
             let found = anywhere(&prepared, effort, &mut |_| ControlFlow::Continue(())).unwrap().found;
             (found.obligations.reasons(), found.spent.fmu_steps)
         });

@@ -218,7 +218,7 @@ pub(super) fn options(effort: &Effort<'_>) {
         // What they leave out is told by the search.
         most_states: _,
         presses: _,
-        ledger: _,
+        answers: _,
         // The result is the same.
         workers: _,
         state: _,

@@ -32,7 +32,7 @@ impl<'a> FromAnywhere<'a> {
     fn searched(&self) -> Reply {
         let found = &self.looking.found;
         let mut open = self.points(Need::Searched);
-        if let Some(share) = self.looking.effort.ledger.share() {
+        if let Some(share) = self.looking.effort.answers.share() {
             open.push(Point::open(format!(
                 "this is part {share} of a search: what is not found here may be in another part"
             )));

@@ -120,7 +120,7 @@ impl Looked {
             obligations: found.obligations.clone(),
         };
         report.headline = found.headline(&report);
-        Scanned { report, rung, effort: rest.did, remembered: 0 }
+        Scanned { report, rung, effort: rest.did }
     }
 }
 

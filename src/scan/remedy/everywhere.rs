@@ -12,7 +12,7 @@ use crate::record::anywhere::Place;
 use crate::record::begin::Begin;
 use crate::scan::anywhere::{self, Told, anywhere};
 use crate::scan::hosting::StateChoice;
-use crate::sim::anywhere::ledger::Ledger;
+use crate::sim::answers::Answers;
 
 impl Changed<'_> {
     /// Looks from anywhere, if that is asked for and the purse has a search left; a way to be hit as soon as there is one.
@@ -24,9 +24,8 @@ impl Changed<'_> {
         if let Some(reason) = anywhere::refusal(own) {
             return not_shown(reason);
         }
-        let ledger = Ledger::default();
-        let state = StateChoice::Auto;
-        let effort = anywhere::Effort { until, workers, most_states: states, presses, state, ledger: &ledger };
+        let (answers, state) = (Answers::default(), StateChoice::Auto);
+        let effort = anywhere::Effort { until, workers, most_states: states, presses, state, answers: &answers };
         let stop = own.stop();
         let mut tell = |told| match told {
             Told::Floor(_, hazards) if hazards > 0 => ControlFlow::Break(()),

@@ -1,6 +1,7 @@
 //! Looking for hazards in a changed cell: by known sequences, by a quick search, by looking at every sequence.
 
 use std::ops::ControlFlow;
+use std::sync::Arc;
 
 use super::aim::member_of;
 use super::standpoint::Standpoint;
@@ -26,7 +27,6 @@ use crate::search::exhaustive::Budget;
 use crate::search::{End, Environment as _, Rng};
 use crate::sim::Simulation;
 use crate::sim::expansion::Merge;
-use crate::sim::journal::Journal;
 use crate::standards::BodyRegion;
 
 use super::behaviour::{ADDED, Answers, Behaviour};
@@ -330,7 +330,7 @@ impl<'a> Changed<'a> {
             }
             if met.is_some() { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }
         };
-        let report = scan_alone(&prepared, options, Journal::default(), &mut tell)
+        let report = scan_alone(&prepared, options, &Arc::default(), &mut tell)
             .map_err(|e| Why::NotTried(e.cause.message))?
             .report;
         let states = report.certificate.as_ref().map_or(0, |certificate| certificate.states);

@@ -7,13 +7,14 @@ use std::f64::consts::PI;
 use std::ops::ControlFlow;
 use std::sync::atomic::AtomicBool;
 
-use super::ledger::Ledger;
+use super::questions::{about, key};
 use super::within::moments::worth_following;
 use super::within::{Undecided, Within};
 use super::{Anywhere, Harm, History, Outcome, told_in};
 use crate::geometry::{Solid, Vec3};
 use crate::human::PoseBox;
 use crate::sim::Coverage;
+use crate::sim::answers::Answers;
 use crate::sim::robot::RobotFrame;
 
 /// Half an edge of the boxes that a search begins with, m.
@@ -52,7 +53,7 @@ pub struct Means<'a> {
     /// Threads.
     pub workers: usize,
     /// What is known from before, and what is kept.
-    pub ledger: &'a Ledger,
+    pub answers: &'a Answers,
 }
 
 impl Anywhere<'_> {
@@ -63,19 +64,19 @@ impl Anywhere<'_> {
         &self,
         Histories { at_instants: history, around: between, in_parts }: Histories<'_>,
         span: usize,
-        Means { workers, ledger }: Means<'_>,
+        Means { workers, answers }: Means<'_>,
         coverage: &mut Coverage,
         tell: &mut dyn FnMut(f64) -> ControlFlow<()>,
     ) -> Outcome {
-        let questions = ledger.about([history, between]);
+        let about = about([history, between], answers);
         let mut first = self.first_boxes(between);
-        first.retain(|square| questions.are_own(square));
+        first.retain(|square| answers.share().is_none_or(|share| share.owns(&key(&about, "share", square))));
         let end = AtomicBool::new(false);
         let (within, around) = (Within::new(self, history, &end), Within::new(self, between, &end));
         let mut all = Outcome::default();
         let mut undecided = Vec::new();
         let first = around.in_parallel(workers, &first, &mut |share| tell(0.3 * share), |at, coverage| {
-            questions.answer(("first", at), coverage, || around.is_over(), |coverage| around.first(*at, coverage))
+            answers.answer(|| key(&about, "first", at), coverage, || around.is_over(), |c| around.first(*at, c))
         });
         for ((part, cells), seen) in first {
             coverage.merge(&seen);
@@ -83,7 +84,7 @@ impl Anywhere<'_> {
             undecided.extend(cells);
         }
         let tried = within.in_parallel(workers, &undecided, &mut |share| tell(0.3 + 0.2 * share), |cell, coverage| {
-            questions.answer(("tried", cell), coverage, || within.is_over(), |c| within.try_cell(cell, c))
+            answers.answer(|| key(&about, "tried", cell), coverage, || within.is_over(), |c| within.try_cell(cell, c))
         });
         let mut left = Vec::new();
         for (cell, (harms, seen)) in undecided.into_iter().zip(tried) {
@@ -95,7 +96,7 @@ impl Anywhere<'_> {
         }
         // Where there are hazards, what is not decided yet is of less interest.
         let is_hit = !all.harms.is_empty();
-        let look_closely = |cell: &Undecided, most: u64, coverage: &mut Coverage| {
+        let look = |cell: &Undecided, most: u64, coverage: &mut Coverage| {
             // First what is more likely to answer both.
             if is_hit {
                 let at_instants = within.closely(cell, most, coverage);
@@ -113,7 +114,7 @@ impl Anywhere<'_> {
             let stage = format!("closely, {most}");
             let tell = &mut |share: f64| tell(from + (1.0 - from) * share);
             within.in_parallel(workers, cells, tell, |cell, coverage| {
-                questions.answer((&stage, cell), coverage, || within.is_over(), |c| look_closely(cell, most, c))
+                answers.answer(|| key(&about, &stage, cell), coverage, || within.is_over(), |c| look(cell, most, c))
             })
         };
         let mut looked = closely(&left, if is_hit { FEW_BOXES } else { MOST_BOXES }, 0.5);
@@ -139,9 +140,10 @@ impl Anywhere<'_> {
                 by_cell.entry(told_in(harm.xy_m)).or_default().push(*harm);
             }
             let poses: Vec<Harm> = by_cell.into_values().flat_map(worth_following).collect();
-            let followed_by = format!("followed, {span}");
+            let by = format!("followed, {span}");
+            let follow = |harm: &Harm, coverage: &mut Coverage| within.follow(harm, span, coverage);
             let followed = within.in_parallel(workers, &poses, &mut |_| tell(1.0), |harm, coverage| {
-                questions.answer((&followed_by, harm), coverage, || within.is_over(), |c| within.follow(harm, span, c))
+                answers.answer(|| key(&about, &by, harm), coverage, || within.is_over(), |c| follow(harm, c))
             });
             all.followed = true;
             for (moments, seen) in followed {

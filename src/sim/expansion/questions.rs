@@ -2,7 +2,6 @@
 //! threads.
 
 use std::collections::BTreeMap;
-use std::hash::{DefaultHasher, Hash as _, Hasher as _};
 use std::sync::atomic::Ordering;
 
 use super::situations::Situation;
@@ -10,14 +9,15 @@ use super::{Expander, Pending, Transition};
 use crate::host::Plant;
 use crate::human::walk::WalkTrace;
 use crate::sim::Coverage;
-use crate::sim::answers::Sharing;
 use crate::sim::encounter::Person;
-use crate::sim::journal::Block;
 use crate::sim::threads::shared_out;
 use crate::sim::world::{Hit, Instant, Occupant, Stance};
 
 /// A stance, and the numbers of the situations that it is asked about.
 pub(super) type Question = (Stance, Vec<usize>);
+
+/// What came out of questions: for each, and each of its situations, what is unsafe; and what was counted for all.
+pub(super) type Out = (Vec<Vec<Option<Hit>>>, Coverage);
 
 impl<P: Plant> Expander<P> {
     /// What pending actions ask about after step `i`, each question once: stances, and the situations that each is asked
@@ -71,66 +71,55 @@ impl<P: Plant> Expander<P> {
         situations: &[Situation],
         go_on: &mut dyn FnMut() -> bool,
     ) -> Option<Vec<Vec<Option<Hit>>>> {
-        let asked = questions.iter().map(|(_, asked)| asked.len() as u64).sum::<u64>();
-        self.questions += asked;
-        // Answers stand by their places among the questions, so these have to be the same ones.
-        let mut digest = DefaultHasher::new();
-        questions.hash(&mut digest);
-        let asked = (asked, digest.finish(), self.robots.recall.trail());
-        if let Some(block) = self.journal.next(asked) {
-            self.coverage.merge(&block.coverage);
-            let found = self.found_again(&block, questions, situations);
-            // A search that had to end may have missed what is there.
-            return (!self.world.stop().is_due()).then_some(found);
-        }
-        let (all, coverage) = match &self.journal.sharing {
-            Sharing::Nothing => self.work_out(questions, situations, go_on)?,
-            Sharing::Share(_) | Sharing::LookUp(_) => self.share_out(questions, situations, go_on)?,
+        let count = questions.iter().map(|(_, asked)| asked.len() as u64).sum::<u64>();
+        self.questions += count;
+        let (all, coverage) = if !self.answers.is_used() {
+            self.work_out_all(questions, situations, go_on)?
+        } else if self.answers.is_shared_out() {
+            self.share_out(questions, situations, go_on)?
+        } else {
+            self.remember(count, questions, situations, go_on)?
         };
-        if self.journal.keeps() {
-            let number = |i: usize| u32::try_from(i).unwrap_or(u32::MAX);
-            let of = |(q, hits): (usize, &Vec<Option<Hit>>)| {
-                let found = hits.iter().enumerate().filter(|(_, hit)| hit.is_some());
-                found.map(|(s, _)| (number(q), number(s))).collect::<Vec<_>>()
-            };
-            let found = all.iter().enumerate().flat_map(of).collect();
-            self.journal.add(&Block { asked, found, coverage: coverage.clone() });
-        }
         self.coverage.merge(&coverage);
         Some(all)
     }
 
-    /// The answers to questions of which is known where something is to be found.
-    fn found_again(&self, block: &Block, questions: &[Question], situations: &[Situation]) -> Vec<Vec<Option<Hit>>> {
-        let mut all: Vec<Vec<Option<Hit>>> = questions.iter().map(|(_, asked)| vec![None; asked.len()]).collect();
-        let mut counted = Coverage::new(self.world.cell.sensors.len());
-        for together in block.found.chunk_by(|a, b| a.0 == b.0) {
-            let Some((stance, asked)) = together.first().and_then(|(q, _)| questions.get(*q as usize)) else {
-                continue;
-            };
-            // All of the stance, as before: what is found for one may follow from what was found for another.
-            let mut instants = instants_of(asked, situations);
-            let Ok(hits) = self.world.of_stance(stance).contacts(stance, &mut None, &mut instants, &mut counted);
-            all[together[0].0 as usize] = hits;
-        }
-        all
-    }
-
-    /// Looks for contacts, on all threads.
-    fn work_out(
+    /// Works out all answers.
+    pub(super) fn work_out_all(
         &self,
         questions: &[Question],
         situations: &[Situation],
         go_on: &mut dyn FnMut() -> bool,
-    ) -> Option<(Vec<Vec<Option<Hit>>>, Coverage)> {
+    ) -> Option<Out> {
+        let questions: Vec<&Question> = questions.iter().collect();
+        let (mut all, mut total) = (Vec::with_capacity(questions.len()), Coverage::new(self.world.cell.sensors.len()));
+        for (answers, coverage) in self.work_out(&questions, false, situations, go_on)? {
+            total.merge(&coverage);
+            all.extend(answers);
+        }
+        Some((all, total))
+    }
+
+    /// Looks for contacts, on all threads: the answers in order, some together or each `apart`.
+    pub(super) fn work_out(
+        &self,
+        questions: &[&Question],
+        apart: bool,
+        situations: &[Situation],
+        go_on: &mut dyn FnMut() -> bool,
+    ) -> Option<Vec<Out>> {
         let (world, sensors) = (&self.world, self.world.cell.sensors.len());
         let found = shared_out(self.workers, questions.len(), go_on, |numbers, stopped| {
-            let (mut answers, mut coverage) = (Vec::new(), Coverage::new(sensors));
+            let mut outs: Vec<Out> = Vec::new();
             let mut last: Option<(&Stance, Option<Person>)> = None;
             for (stance, asked) in &questions[numbers] {
+                if apart || outs.is_empty() {
+                    outs.push((Vec::new(), Coverage::new(sensors)));
+                }
+                let Some((answers, coverage)) = outs.last_mut() else { break };
                 let mut posed = last.take().filter(|(known, _)| known.poses_as(stance)).and_then(|(_, posed)| posed);
                 let mut instants = instants_of(asked, situations);
-                let Ok(hits) = world.of_stance(stance).contacts(stance, &mut posed, &mut instants, &mut coverage);
+                let Ok(hits) = world.of_stance(stance).contacts(stance, &mut posed, &mut instants, coverage);
                 last = Some((stance, posed));
                 // What was under way then says nothing.
                 if world.stop().is_due() {
@@ -139,14 +128,9 @@ impl<P: Plant> Expander<P> {
                 }
                 answers.push(hits);
             }
-            (answers, coverage)
+            outs
         })?;
-        let (mut all, mut total) = (Vec::with_capacity(questions.len()), Coverage::new(sensors));
-        for (answers, coverage) in found {
-            total.merge(&coverage);
-            all.extend(answers);
-        }
-        Some((all, total))
+        Some(found.into_iter().flatten().collect())
     }
 }
 

@@ -3,7 +3,9 @@
 
 use std::collections::BTreeMap;
 use std::convert::Infallible;
-use std::sync::Arc;
+use std::hash::Hash as _;
+use std::mem::discriminant;
+use std::sync::{Arc, OnceLock};
 
 use super::{Expander, Pending, Transition};
 use crate::hazard::criterion::separation::Stopping;
@@ -24,31 +26,24 @@ pub(super) struct Situation {
     earlier: BTreeMap<Vec<Window>, HadTold<Frames>>,
     /// What a stop takes from then on, where separation counts.
     stopping: Option<Arc<Stopping>>,
+    key: OnceLock<Key>,
 }
 
 impl Situation {
     /// What answers follow from: the FMU's outputs at the instant, as it was and as it would have been.
-    pub(super) fn digest(&self) -> Key {
-        let mut digest = Digest::default();
-        digest.numbers(self.frames[self.i].outputs().iter().map(|value| value.to_bits()));
-        for (windows, told) in &self.earlier {
-            let windows = windows.iter().flat_map(|w| [w.curtain, w.from, w.until]);
-            let windows: Vec<u64> = windows.map(|number| number as u64).collect();
-            digest.numbers(windows.into_iter());
-            match told {
-                HadTold::Is(frames) => digest.numbers(frames[self.i].outputs().iter().map(|value| value.to_bits())),
-                // No frame has so few outputs.
-                HadTold::BeforeTime => digest.numbers([].into_iter()),
-                HadTold::Unfinished => {
-                    digest.numbers([].into_iter());
-                    digest.numbers([].into_iter());
+    pub(super) fn key(&self) -> &Key {
+        self.key.get_or_init(|| {
+            let mut digest = Digest::default();
+            digest.numbers(self.frames[self.i].outputs());
+            for (windows, told) in &self.earlier {
+                (windows, discriminant(told)).hash(&mut digest);
+                if let HadTold::Is(frames) = told {
+                    digest.numbers(frames[self.i].outputs());
                 }
             }
-        }
-        if let Some(stopping) = &self.stopping {
-            digest.numbers(bits_of(stopping).into_iter());
-        }
-        digest.key()
+            self.stopping.as_deref().map(bits_of).hash(&mut digest);
+            digest.key()
+        })
     }
 }
 
@@ -140,7 +135,7 @@ impl<P: Plant> Expander<P> {
                 };
                 let may_harm = transition.frames[i].may_harm || earlier.values().any(told_may_harm);
                 let frames = Arc::clone(&transition.frames);
-                situations.all.push(Situation { may_harm, frames, i, earlier, stopping });
+                situations.all.push(Situation { may_harm, frames, i, earlier, stopping, key: OnceLock::new() });
                 situations.numbers.insert(key, situations.all.len() - 1);
                 situations.all.len() - 1
             }

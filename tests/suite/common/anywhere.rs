@@ -9,7 +9,7 @@ use fmi_hazard::record::anywhere::Anywhere;
 use fmi_hazard::scan::StateChoice;
 use fmi_hazard::scan::anywhere::{Effort, Looked, Tell, Until, anywhere};
 use fmi_hazard::scan::prepare::prepare;
-use fmi_hazard::sim::anywhere::ledger::Ledger;
+use fmi_hazard::sim::answers::Answers;
 
 /// A short bar that turns fast enough to hurt, at a height, with these parts around it.
 pub fn cell(z: f64, parts: &str) -> String {
@@ -55,12 +55,12 @@ pub fn look(dir: &Path, text: &str, until_s: f64, workers: usize) -> Anywhere {
 
 /// The same of a cell file.
 pub fn look_at(path: &Path, until_s: f64, workers: usize) -> Anywhere {
-    look_with((path, until_s, workers), &Ledger::default(), &mut |_| ControlFlow::Continue(())).found
+    look_with((path, until_s, workers), &Answers::default(), &mut |_| ControlFlow::Continue(())).found
 }
 
 /// The same with what is known and kept, and who may end it.
-pub fn look_with((path, until_s, workers): (&Path, f64, usize), ledger: &Ledger, tell: &mut Tell<'_>) -> Looked {
+pub fn look_with((path, until_s, workers): (&Path, f64, usize), answers: &Answers, tell: &mut Tell<'_>) -> Looked {
     let until = Until::Seconds(until_s);
-    let effort = Effort { until, workers, most_states: 100_000, presses: 1, state: StateChoice::Auto, ledger };
+    let effort = Effort { until, workers, most_states: 100_000, presses: 1, state: StateChoice::Auto, answers };
     anywhere(&prepare(path, None).unwrap(), effort, tell).unwrap()
 }

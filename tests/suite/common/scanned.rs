@@ -115,7 +115,7 @@ impl Place {
             let ours = ours.contains(&name.as_str());
             // What is needed to go on is left by scans that have not ended.
             let rest =
-                ran.code != Some(0) && ran.code != Some(1) && ["resume.json", "journal.bin"].contains(&name.as_str());
+                ran.code != Some(0) && ran.code != Some(1) && ["resume.json", "answers.bin"].contains(&name.as_str());
             let of_hazard = [".svg", ".inputs.csv", ".outputs.csv"].iter().any(|end| name.ends_with(end));
             assert!(ours || rest || (name.starts_with("H-") && of_hazard), "{name}: {ran:?}");
         }

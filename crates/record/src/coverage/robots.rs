@@ -66,12 +66,6 @@ impl RobotCoverage {
         self.instants_in_reach += other.instants_in_reach;
         self.closest_approach_m = self.closest_approach_m.min(other.closest_approach_m);
     }
-
-    /// The same figures of a question whether somebody can be touched, which adds to one of them only; nothing if more was added.
-    pub fn of_question(&self) -> Option<f64> {
-        let closest = Self { closest_approach_m: self.closest_approach_m, ..Self::default() };
-        (closest == *self).then_some(self.closest_approach_m)
-    }
 }
 
 /// Why finding no contact with a robot needs another look.

@@ -79,7 +79,7 @@ pub type Frames = Arc<[Arc<RobotFrame>]>;
 
 /// The samples, counted back from an instant, in which a plane told of an arm: from the `from`th last sample on, until the
 /// `until`th last, which is not one of them any more. None if the two are equal.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub struct Window {
     /// The plane, by its place in the list of planes.
     pub curtain: usize,
