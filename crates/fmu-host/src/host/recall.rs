@@ -169,8 +169,6 @@ pub struct Recall<P: Plant> {
     restarts: u64,
     restores: u64,
     restores_lost: u32,
-    /// Of all transitions that were stepped so far, in their order.
-    trail: u64,
     /// Nothing is stepped from states of this depth: what serves that alone is not asked of them.
     deepest: usize,
     /// Outputs that are held, each once, with their numbers; by what they are in short.
@@ -188,13 +186,12 @@ impl<P: Plant> Recall<P> {
         let mut begin = || Ok((plant.restart()?.into(), if saves { Some(plant.save()?) } else { None }));
         let (outputs, checkpoint): (Arc<[f64]>, _) = insist(&mut begin)?;
         let checkpoints = usize::from(saves);
-        let own = digest(&outputs);
         let root = Node {
             parent: NodeId::ROOT,
             depth: 0,
             edge: edge_of(0, &[]),
+            digest: Some(digest(&outputs)),
             outputs,
-            digest: Some(own),
             same: NodeId::ROOT,
             trace: 0,
             checkpoint,
@@ -215,7 +212,6 @@ impl<P: Plant> Recall<P> {
             restarts: 1,
             restores: 0,
             restores_lost: 0,
-            trail: own,
             deepest: usize::MAX,
             traces: BTreeMap::new(),
             next_trace: 1,
@@ -285,12 +281,6 @@ impl<P: Plant> Recall<P> {
     /// What tells the inputs of the transition into `node` from others.
     pub(super) fn edge_digest(&self, node: NodeId) -> u64 {
         self.nodes[node.0].edge.iter().fold(0, |digest, bits| mixed(digest, *bits))
-    }
-
-    /// A number that tells what the FMU gave so far, in all transitions that were stepped, from anything else.
-    #[must_use]
-    pub const fn trail(&self) -> u64 {
-        self.trail
     }
 
     /// From now on, nodes of the same depth with equal serialised states are taken as one state. Returns whether that is
@@ -481,7 +471,6 @@ impl<P: Plant> Recall<P> {
         let same = same.unwrap_or(child);
         let depth = self.nodes[parent.0].depth + 1;
         let own = digest(&outputs);
-        self.trail = mixed(self.trail, own);
         let (trace, outputs) = self.held(own, outputs);
         let node = Node {
             parent,
