@@ -6,7 +6,6 @@
 //! linearly independent over the rational numbers.
 
 use std::f64::consts::{FRAC_1_SQRT_2, FRAC_PI_4};
-use std::hash::{Hash, Hasher};
 
 use super::{Arrangement, Presses};
 use crate::geometry::Vec3;
@@ -45,7 +44,7 @@ impl Start {
 }
 
 /// A spot on the lattice of walks, a heading on it, and the doors that stand open meanwhile, and how things stand that follow the FMU.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, PartialOrd, Ord)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub struct Place {
     /// Sub-steps walked along 0, 45, 90 and 135 degrees from the start heading; opposite directions count down.
     steps: [i32; 4],
@@ -55,20 +54,6 @@ pub struct Place {
     open: Presses,
     /// How things stand that follow the FMU.
     arrangement: Arrangement,
-}
-
-/// As if there were no doors, where none is open, and nothing that follows the FMU: what was written down of cells without any stays known
-/// by it.
-impl Hash for Place {
-    fn hash<H: Hasher>(&self, state: &mut H) {
-        (self.steps, self.heading).hash(state);
-        if !self.open.is_none() {
-            self.open.hash(state);
-        }
-        if !self.arrangement.is_none() {
-            self.arrangement.hash(state);
-        }
-    }
 }
 
 impl Place {

@@ -1,7 +1,6 @@
 //! A question about one instant, and its answer: how a person stands, where the robots are and would be had planes told of an arm, and
 //! what is unsafe then.
 
-use std::hash::{Hash, Hasher};
 use std::sync::Arc;
 
 use crate::hazard::Contact;
@@ -11,7 +10,7 @@ use crate::human::{Place, Posture, Who};
 use crate::robot::RobotFrame;
 
 /// The person at the end of a communication step, as far as contacts depend on it.
-#[derive(Clone, Debug, PartialEq, Eq, PartialOrd, Ord)]
+#[derive(Clone, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub struct Stance {
     /// Who it is.
     pub who: Who,
@@ -27,21 +26,6 @@ pub struct Stance {
     pub raised: Option<usize>,
     /// Whether a hazard by contact came before: then clamping alone is asked for.
     pub struck: bool,
-}
-
-/// As if there were one person only, for the first: what was written down of cells without a second one stays known by it.
-impl Hash for Stance {
-    fn hash<H: Hasher>(&self, state: &mut H) {
-        let Self { who, place, posture, moved, broken, raised, struck } = self;
-        (place, posture, moved, broken, raised).hash(state);
-        if *who != Who::First {
-            who.hash(state);
-        }
-        // The same for what comes behind a hazard by contact.
-        if *struck {
-            struck.hash(state);
-        }
-    }
 }
 
 impl Stance {
