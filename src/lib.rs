@@ -28,6 +28,8 @@
 //! | [`report`] | what people and programs read |
 //! | [`record`] | results as plain records |
 //! | [`search`] | strategies over an abstract environment; knows nothing of FMUs or geometry |
+//! | [`sequences`] | all actions from many states of a cell at once |
+//! | [`reachability`] | where people may be who come from anywhere, and whether they are hit there |
 //! | [`sim`] | plant + person + sensors + contact as one environment with snapshots |
 //! | [`hazard`] | what is unsafe, danger level, findings and their identity |
 //! | [`obligations`] | what an answer rests on, and the verdict that follows; nothing else makes a clean one |
@@ -68,7 +70,6 @@
 pub(crate) mod campaign;
 pub mod cli;
 pub mod scan;
-pub mod sim;
 pub mod strategies;
 
 pub use fmi_hazard_cell::cell;
@@ -76,8 +77,11 @@ pub use fmi_hazard_criteria as hazard;
 pub use fmi_hazard_examples as examples;
 pub use fmi_hazard_human::{geometry, human, standards};
 pub use fmi_hazard_outcome as obligations;
+pub use fmi_hazard_reachability as reachability;
 pub use fmi_hazard_record as record;
 pub use fmi_hazard_report as report;
 pub use fmi_hazard_search as search;
+pub use fmi_hazard_sequences as sequences;
+pub use fmi_hazard_simulation as sim;
 pub use fmi_hazard_stop as stop;
 pub use fmu_host::{fmi, host};

@@ -7,7 +7,7 @@ use clap::ValueEnum;
 use fmi_hazard::scan::prepare::prepare;
 use fmi_hazard::scan::{Exhaustive, StrategyName};
 use fmi_hazard::search::exhaustive::Budget;
-use fmi_hazard::sim::expansion::Merge;
+use fmi_hazard::sequences::Merge;
 use fmi_hazard::strategies::paper;
 
 use crate::comparison::{Comparison, csv_header, growth_table, table};

@@ -17,8 +17,8 @@ use crate::scan::prepare::prepare_in;
 use crate::scan::probe::wrong_polarities;
 use crate::scan::{Exhaustive, Hosting, Method, Prepared, Progress, ScanOptions, StateChoice, StrategyName, scan_with};
 use crate::search::exhaustive::Budget;
+use crate::sequences::Merge;
 use crate::sim::answers::{Answers, Share};
-use crate::sim::expansion::Merge;
 use crate::stop::Stop;
 
 /// Work of the exhaustive part of `auto` unless told otherwise, millions of boxes: as in a scan alone.

@@ -10,8 +10,7 @@ use crate::cell::file::validate::BASELINE;
 use crate::record::model::{BeginningSubject, ScanReport, Verdict};
 use crate::report::assessment::Assessments;
 use crate::report::baseline::Baseline;
-use crate::scan::Prepared;
-use crate::scan::moved;
+use crate::scan::{Prepared, moved};
 use crate::stop::Stop;
 
 /// One run of the command.

@@ -17,8 +17,8 @@ use crate::scan::options::Method;
 use crate::scan::remedy::{Effort, Everywhere};
 use crate::scan::{Exhaustive, ScanOptions, StateChoice, StrategyName};
 use crate::search::exhaustive::Budget;
+use crate::sequences::Merge;
 use crate::sim::answers::Share;
-use crate::sim::expansion::Merge;
 
 /// When a scan is over.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, ValueEnum)]

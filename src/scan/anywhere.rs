@@ -43,20 +43,20 @@ use crate::host::{Hosted, PlantError, Recall};
 use crate::human::{Floor, Start};
 use crate::obligations::verdict::Ended;
 use crate::obligations::{Need, Obligations, Point, Verdict};
+use crate::reachability::instants::Part;
+use crate::reachability::machine::Machine;
+use crate::reachability::told::seen;
+use crate::reachability::zones::{Readings, Zones};
+use crate::reachability::{
+    Anywhere as Search, BODY_TOLERANCE_M, CELL_M, FLOOR_M, Histories, History, Means, Moment, Somewhere, told_in,
+};
 use crate::record::anywhere::{Anywhere, Ground, Place, Spent, Watched};
 use crate::record::model::SCHEMA_VERSION;
 use crate::scan::speeds::Speeds;
 use crate::search::tracks::explore;
+use crate::sequences::Merge;
 use crate::sim::answers::Answers;
-use crate::sim::anywhere::instants::Part;
-use crate::sim::anywhere::machine::Machine;
-use crate::sim::anywhere::told::seen;
-use crate::sim::anywhere::zones::{Readings, Zones};
-use crate::sim::anywhere::{
-    Anywhere as Search, BODY_TOLERANCE_M, CELL_M, FLOOR_M, Histories, History, Means, Moment, Somewhere, told_in,
-};
 use crate::sim::between::STEP_TOLERANCE_M;
-use crate::sim::expansion::Merge;
 use crate::sim::motion::Motion;
 use crate::sim::robot::RobotFrame;
 use crate::sim::sensors::Seen as Person;

@@ -16,8 +16,8 @@ use crate::host::selftest::Rung;
 use crate::host::{Effort, Hosted, Plant as _, Unlike};
 use crate::obligations::{Need, Point};
 use crate::record::hazard::Hazard;
+use crate::sequences::Merge;
 use crate::sim::answers::Answers;
-use crate::sim::expansion::Merge;
 
 /// Sequences of the quick part of a scan before its complete part begins: so that something is there soon.
 const FIRST: u32 = 5;

@@ -20,8 +20,8 @@ use crate::record::hazard::Hazard;
 use crate::record::model::FaultRecord;
 use crate::search::exhaustive::{Account, Budget, Expansion as _, Prefixes, Stopped, Told, exhaust_watched};
 use crate::search::statistics::Independent;
+use crate::sequences::Expander;
 use crate::sim::answers::Answers;
-use crate::sim::expansion::Expander;
 use crate::sim::motion::Motion;
 use crate::sim::{Coverage, World};
 
@@ -331,7 +331,7 @@ mod tests {
     use crate::cell::find::{OpenedCell, open};
     use crate::host::{Policy, System, SystemSetup};
     use crate::search::exhaustive::Level;
-    use crate::sim::expansion::Merge;
+    use crate::sequences::Merge;
 
     /// All else was looked at. No FMU runs here.
     #[test]

@@ -6,7 +6,7 @@ use super::prepare::Prepared;
 use crate::host::audit::Difference;
 use crate::host::selftest::{Agreement, Rung};
 use crate::host::{Hosted, PlantError, Policy, Unlike};
-use crate::sim::expansion::Merge;
+use crate::sequences::Merge;
 
 /// How states are brought back.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

@@ -8,8 +8,8 @@ use crate::record::hazard::Hazard;
 use crate::search::exhaustive::Budget;
 use crate::search::mcts_dpw::Parameters;
 use crate::search::{Hybrid, MctsDpw, Plan, Profile, Random, Strategy};
+use crate::sequences::Merge;
 use crate::sim::Simulation;
-use crate::sim::expansion::Merge;
 use crate::sim::simulation::Snapshot;
 
 /// Strategies by name.

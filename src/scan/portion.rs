@@ -9,8 +9,8 @@ use super::hosting::StateChoice;
 use super::options::{Exhaustive, Progress, ScanError};
 use super::prepare::Prepared;
 use crate::search::exhaustive::{Stopped, Told, exhaust};
+use crate::sequences::Expander;
 use crate::sim::answers::{Answers, Share};
-use crate::sim::expansion::Expander;
 
 /// What is answered to the questions of `share`; nothing if it was told to stop.
 ///

@@ -15,14 +15,14 @@ use fmi_hazard::geometry::Vec3;
 use fmi_hazard::human::posture::cut_back;
 use fmi_hazard::human::shoulder::is_available;
 use fmi_hazard::human::{PoseBox, Posture, Side};
+use fmi_hazard::reachability::told::{ARCS, Asking, Told, arc};
+use fmi_hazard::reachability::zones::Zones;
+use fmi_hazard::reachability::{Anywhere as Search, BODY_TOLERANCE_M, Histories, Means, told_in};
 use fmi_hazard::scan::StateChoice;
 use fmi_hazard::scan::prepare::prepare;
 use fmi_hazard::search::Rng;
 use fmi_hazard::sim::Coverage;
 use fmi_hazard::sim::answers::Answers;
-use fmi_hazard::sim::anywhere::told::{ARCS, Asking, Told, arc};
-use fmi_hazard::sim::anywhere::zones::Zones;
-use fmi_hazard::sim::anywhere::{Anywhere as Search, BODY_TOLERANCE_M, Histories, Means, told_in};
 use fmi_hazard::sim::encounter::{ArmSpace, Encounter, Judge, Person};
 use fmi_hazard::sim::sensors::{Seen, sees};
 

@@ -16,7 +16,7 @@ use fmi_hazard::scan::options::{Method, Progress};
 use fmi_hazard::scan::prepare::prepare_in;
 use fmi_hazard::scan::{Exhaustive, Hosting, ScanOptions, StateChoice, StrategyName, scan};
 use fmi_hazard::search::exhaustive::Budget;
-use fmi_hazard::sim::expansion::Merge;
+use fmi_hazard::sequences::Merge;
 use fmi_hazard::stop::Stop;
 use serde_json::Value;
 

@@ -18,7 +18,7 @@ use fmi_hazard::scan::{Prepared, StateChoice, prepare::prepare};
 use fmi_hazard::search::exhaustive::Budget;
 use fmi_hazard::search::statistics::wilson;
 use fmi_hazard::search::{End, Environment as _, Rng};
-use fmi_hazard::sim::expansion::Merge;
+use fmi_hazard::sequences::Merge;
 use fmi_hazard::sim::robot::RobotFrame;
 use fmi_hazard::sim::sensors::DelayLine;
 use fmi_hazard::sim::world::{Earlier, Frames, HadTold, Hit, Instant, Stance, Window};

@@ -5,7 +5,7 @@ use std::path::Path;
 use std::process::Command;
 
 /// Each crate that is published, and the others of them that it draws in, directly or through others: the floors beneath it.
-const BENEATH: [(&str, &[&str]); 13] = [
+const BENEATH: [(&str, &[&str]); 15] = [
     ("fmi-hazard-stop", &[]),
     ("fmi-hazard-examples", &[]),
     ("fmi-hazard-search", &[]),
@@ -55,6 +55,36 @@ const BENEATH: [(&str, &[&str]); 13] = [
         ],
     ),
     (
+        "fmi-hazard-sequences",
+        &[
+            "fmi-hazard-cell",
+            "fmi-hazard-criteria",
+            "fmi-hazard-human",
+            "fmi-hazard-outcome",
+            "fmi-hazard-record",
+            "fmi-hazard-search",
+            "fmi-hazard-simulation",
+            "fmi-hazard-stop",
+            "fmu-host",
+            "fmu-self-test",
+        ],
+    ),
+    (
+        "fmi-hazard-reachability",
+        &[
+            "fmi-hazard-cell",
+            "fmi-hazard-criteria",
+            "fmi-hazard-human",
+            "fmi-hazard-outcome",
+            "fmi-hazard-record",
+            "fmi-hazard-search",
+            "fmi-hazard-simulation",
+            "fmi-hazard-stop",
+            "fmu-host",
+            "fmu-self-test",
+        ],
+    ),
+    (
         "fmi-hazard",
         &[
             "fmi-hazard-cell",
@@ -62,9 +92,11 @@ const BENEATH: [(&str, &[&str]); 13] = [
             "fmi-hazard-examples",
             "fmi-hazard-human",
             "fmi-hazard-outcome",
+            "fmi-hazard-reachability",
             "fmi-hazard-record",
             "fmi-hazard-report",
             "fmi-hazard-search",
+            "fmi-hazard-sequences",
             "fmi-hazard-simulation",
             "fmi-hazard-stop",
             "fmu-host",

@@ -6,7 +6,7 @@ use std::path::Path;
 use std::process::Command;
 
 /// What is read in building a package: its name, its folder, and what of that: each is named in a `build.rs` or holds what a source includes.
-const READ: [(&str, &str, &[&str]); 13] = [
+const READ: [(&str, &str, &[&str]); 15] = [
     ("fmi-hazard", "", &["src", "benches"]),
     ("fmi-hazard-stop", "crates/stop", &["build.rs", "src"]),
     ("fmi-hazard-search", "crates/search", &["src"]),
@@ -15,6 +15,8 @@ const READ: [(&str, &str, &[&str]); 13] = [
     ("fmi-hazard-criteria", "crates/criteria", &["src"]),
     ("fmi-hazard-record", "crates/record", &["src"]),
     ("fmi-hazard-report", "crates/report", &["src"]),
+    ("fmi-hazard-sequences", "crates/sequences", &["src"]),
+    ("fmi-hazard-reachability", "crates/reachability", &["src"]),
     ("fmi-hazard-cell", "crates/cell", &["src"]),
     ("fmi-hazard-simulation", "crates/simulation", &["src"]),
     ("fmu-self-test", "crates/self-test", &["src"]),

@@ -21,8 +21,7 @@ use super::model::Settings;
 use super::narrower::Narrower;
 use super::people::{BodyRecord, SecondRecord};
 use super::worked::ControlRecord;
-use crate::human::Ability;
-use crate::human::{ControlKind, ControlledBy};
+use crate::human::{Ability, ControlKind, ControlledBy};
 use fmi_hazard_criteria::{Class, Criterion};
 
 /// The settings that decide what is told.

@@ -3,8 +3,7 @@
 use crate::hazard::STANDSTILL_M_S;
 use crate::human::arm::ArmModel;
 use fmi_hazard_record::certificate::{Certificate, Residual, RunAgain, Unlisted};
-use fmi_hazard_record::coverage::Coverage;
-use fmi_hazard_record::coverage::RobotCoverage;
+use fmi_hazard_record::coverage::{Coverage, RobotCoverage};
 use fmi_hazard_record::figures::{at_least, at_most, grouped, percent};
 use fmi_hazard_record::model::{Settings, Spent};
 

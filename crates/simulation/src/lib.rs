@@ -14,10 +14,12 @@
 //! - `behind`: what comes behind the first hazard by contact
 //! - [`imagination`]: what a sequence would lead to if the robots moved as they were seen to
 //! - [`motion`]: whether the speeds that the FMU tells are those at which it moves
+//! - [`answers`]: answers to questions whether people can be touched, kept and shared
 //! - [`replay`]: one sequence from a fresh instance, with no restore
 //!
 //! [`Environment`]: fmi_hazard_search::Environment
 
+pub mod answers;
 pub mod befallen;
 pub(crate) mod behind;
 pub mod between;

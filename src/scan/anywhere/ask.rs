@@ -7,13 +7,13 @@ use crate::cell::{Workcell, Zone};
 use crate::host::{Hosted, PlantError, Policy};
 use crate::human::{Action, Posture, Start, Walk};
 use crate::obligations::{Need, Point};
+use crate::reachability::told::{Asking, Stance, Told as ToldPeople};
+use crate::reachability::{Anywhere as Search, Somewhere, known};
 use crate::scan::cycle::{LONGEST_WATCHED_S, cycle, points};
 use crate::scan::footing::Footing;
 use crate::scan::hosting::StateChoice;
 use crate::scan::prepare::Prepared;
-use crate::sim::anywhere::told::{Asking, Stance, Told as ToldPeople};
-use crate::sim::anywhere::{Anywhere as Search, Somewhere, known};
-use crate::sim::expansion::Merge;
+use crate::sequences::Merge;
 use crate::sim::robot::RobotFrame;
 
 impl<'a> Looking<'a> {

@@ -4,8 +4,8 @@
 use std::collections::BTreeSet;
 
 use super::map::{Walkable, rectangles};
+use crate::reachability::told_in;
 use crate::record::anywhere::Anywhere;
-use crate::sim::anywhere::told_in;
 
 /// How some of a search ended.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]

@@ -8,9 +8,9 @@ use super::seek::{Drawn, Place, Seek};
 use super::walk_in::{WalkIn, shown_by};
 use crate::hazard::Finding;
 use crate::human::{Action, Posture, Walk};
+use crate::reachability::Harm;
+use crate::reachability::zones::Readings;
 use crate::search::Rng;
-use crate::sim::anywhere::Harm;
-use crate::sim::anywhere::zones::Readings;
 
 /// Walks that are drawn, at most, and that are run: those to wait at the end of, those that follow a history, and those that come and go.
 const MOST_DRAWN: usize = 20_000;

@@ -148,8 +148,8 @@ mod tests {
     use super::*;
     use crate::cell::binding::{BoundUnit, bind};
     use crate::cell::find::open;
+    use crate::reachability::told::Stance;
     use crate::search::Rng;
-    use crate::sim::anywhere::told::Stance;
 
     /// How far the robot turns, by what the first two sensors have reported so far.
     type Turns = fn(&[[bool; 2]]) -> f64;

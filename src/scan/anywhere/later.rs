@@ -5,7 +5,7 @@ use super::{Looking, Tell, Told};
 use crate::cell::Zone;
 use crate::host::{Hosted, PlantError};
 use crate::obligations::{Assumption, Need};
-use crate::sim::anywhere::told::{Asking, Stance, Told as ToldPeople};
+use crate::reachability::told::{Asking, Stance, Told as ToldPeople};
 
 /// At so many moments they are asked again, besides the start, and of so many people.
 const MOMENTS: usize = 12;

@@ -6,11 +6,11 @@ use super::refusal;
 use crate::geometry::Vec3;
 use crate::geometry::distance::point_segment;
 use crate::geometry::polygon::contains;
+use crate::reachability::{Anywhere as Search, CELL_M, Moment, told_in};
 use crate::record::anywhere::{Cell, Ground};
 use crate::report::topview::Part;
 use crate::scan::outline::part;
 use crate::scan::prepare::Prepared;
-use crate::sim::anywhere::{Anywhere as Search, CELL_M, Moment, told_in};
 use crate::sim::robot::RobotFrame;
 use crate::stop::Stop;
 

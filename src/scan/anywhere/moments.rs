@@ -4,8 +4,8 @@
 use crate::cell::{Binding, Workcell};
 use crate::host::{Plant, PlantError};
 use crate::human::Presses;
+use crate::reachability::told::{Stance, seen};
 use crate::search::Rng;
-use crate::sim::anywhere::told::{Stance, seen};
 use crate::sim::sensors::{DelayLine, input_row};
 
 /// Most moments. However states are brought back, they are the same.

@@ -10,14 +10,14 @@ use super::behaviours::{NotAll, Outcome, Refused, Stands, because, in_seconds, i
 use super::{Looking, SEED, Tell, Told};
 use crate::host::Hosted;
 use crate::obligations::Assumption;
+use crate::reachability::held::HeldReadings;
+use crate::reachability::reduced::{MayBeOff, Nearly};
+use crate::reachability::widths::Width;
 use crate::record::figures::grouped;
 use crate::search::Rng;
 use crate::search::behaviours::decided::{LONGER_WALKS, Question, TIMES_HELD, Why, each_walk, held_for, steps_of};
 use crate::search::behaviours::net::{Covers, Gap, Off, find, gap};
 use crate::search::behaviours::{Behaviours, Ended, Extent, Machine as _, longest};
-use crate::sim::anywhere::held::HeldReadings;
-use crate::sim::anywhere::reduced::{MayBeOff, Nearly};
-use crate::sim::anywhere::widths::Width;
 use crate::standards::iso_13855::WALKING_SPEED_M_S;
 
 /// Widths that are tried, one after the other.

@@ -9,10 +9,10 @@ use crate::cell::Workcell;
 use crate::host::{Plant, PlantError, Policy};
 use crate::human::Presses;
 use crate::obligations::{Assumption, Need, Point};
+use crate::reachability::instants::Part;
 use crate::scan::footing::Footing;
 use crate::scan::prepare::Prepared;
 use crate::search::Rng;
-use crate::sim::anywhere::instants::Part;
 
 impl Looking<'_> {
     /// Something was tried out.

@@ -13,9 +13,9 @@ use crate::cell::Workcell;
 use crate::human::ControlledBy;
 use crate::human::action::ACTION_S;
 use crate::human::{Action, Field, Posture, Presses, Start, Walk};
+use crate::reachability::{Anywhere, Harm, History, Story, known};
 use crate::scan::prepare::Prepared;
 use crate::sim::World;
-use crate::sim::anywhere::{Anywhere, Harm, History, Story, known};
 use crate::standards::iso_13855::WALKING_SPEED_M_S;
 
 /// So much longer than it was harm is waited for, in actions: what is worked a little later comes a little later.

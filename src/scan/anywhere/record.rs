@@ -21,8 +21,8 @@ use crate::scan::minimise::minimise;
 use crate::scan::prepare::Prepared;
 use crate::scan::run::Scanned;
 use crate::scan::settings::of_cell;
+use crate::sequences::Merge;
 use crate::sim::Coverage;
-use crate::sim::expansion::Merge;
 use crate::standards::tables::of_every_scan;
 
 /// Hazards that a run of their own has shown.

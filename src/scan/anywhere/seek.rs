@@ -6,9 +6,9 @@ use std::f64::consts::{FRAC_PI_4, TAU};
 use super::walk_in::{WalkIn, shown_by};
 use crate::hazard::Finding;
 use crate::human::{Action, Posture, Walk};
+use crate::reachability::{Anywhere as Search, Harm, History, known};
 use crate::scan::prepare::Prepared;
 use crate::search::Rng;
-use crate::sim::anywhere::{Anywhere as Search, Harm, History, known};
 use crate::standards::iso_13855::WALKING_SPEED_M_S;
 
 /// Walks that are drawn, at most, to be run or not.

@@ -10,11 +10,11 @@ use super::walk_in::{WalkIn, shown_by};
 use super::{Looking, pressing};
 use crate::hazard::{Finding, Identity};
 use crate::human::Walk;
+use crate::reachability::zones::Way;
+use crate::reachability::{Anywhere as Search, Harm, History, known};
 use crate::record::anywhere::Place;
 use crate::record::hazard::SensorState;
 use crate::scan::prepare::Prepared;
-use crate::sim::anywhere::zones::Way;
-use crate::sim::anywhere::{Anywhere as Search, Harm, History, known};
 
 /// Places of one region and link of which a run of their own is tried, at most.
 const MOST_WORST: usize = 8;

@@ -7,8 +7,8 @@ use super::guided::Guided;
 use super::seek::Seek;
 use super::show::sensors;
 use super::{Looking, SEED};
+use crate::reachability::{Anywhere as Search, History, Moment, known};
 use crate::search::Rng;
-use crate::sim::anywhere::{Anywhere as Search, History, Moment, known};
 
 /// They are run for this part of the time that is left.
 const SHARE: u32 = 10;

@@ -9,8 +9,8 @@ use super::moments::{Moments, Told};
 use crate::cell::{Binding, Workcell};
 use crate::host::{Plant, PlantError};
 use crate::human::Presses;
+use crate::reachability::told::Stance;
 use crate::search::Rng;
-use crate::sim::anywhere::told::Stance;
 
 /// Runs with other people, from the start and from each moment.
 const OTHER_PEOPLE: u32 = 48;

@@ -6,10 +6,10 @@ use std::f64::consts::{FRAC_PI_4, TAU};
 use crate::cell::{Workcell, Zone};
 use crate::hazard::Finding;
 use crate::human::{Action, Posture, Start, Walk};
+use crate::reachability::{Anywhere, Harm, History, Seen, known};
 use crate::scan::hosting::StateChoice;
 use crate::scan::prepare::Prepared;
 use crate::search::Environment as _;
-use crate::sim::anywhere::{Anywhere, Harm, History, Seen, known};
 use crate::standards::iso_13855::WALKING_SPEED_M_S;
 
 /// Most actions of walking before the last one.

@@ -13,8 +13,7 @@ use crate::hazard::Criteria;
 use crate::hazard::criterion::pressure::LinkContact;
 use crate::hazard::criterion::separation::Separation;
 use crate::human::arm::ArmModel;
-use crate::human::{Arrangement, Presses};
-use crate::human::{ControlKind, ControlledBy};
+use crate::human::{Arrangement, ControlKind, ControlledBy, Presses};
 use crate::sim::curtain::Curtain;
 
 /// What a cell asks that stepping and looking do not answer.

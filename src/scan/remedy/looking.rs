@@ -25,8 +25,8 @@ use crate::scan::run::scan_alone;
 use crate::scan::{Exhaustive, ScanOptions};
 use crate::search::exhaustive::Budget;
 use crate::search::{End, Environment as _, Rng};
+use crate::sequences::Merge;
 use crate::sim::Simulation;
-use crate::sim::expansion::Merge;
 use crate::standards::BodyRegion;
 
 use super::behaviour::{ADDED, Answers, Behaviour};

@@ -46,12 +46,12 @@ mod tests {
         ("src/scan/attempts.rs", "once", 8),
         ("src/scan/exhaustive.rs", "census", 8),
         ("src/scan/quick.rs", "search", 8),
-        ("src/sim/anywhere/machine.rs", "Machine::new", 7),
-        ("src/sim/anywhere/of_behaviours.rs", "seen_by", 7),
-        ("src/sim/anywhere/within.rs", "Within::ask", 7),
-        ("src/sim/anywhere/zones.rs", "Zones::with", 8),
-        ("src/sim/expansion.rs", "Expander::advance", 7),
-        ("src/sim/expansion.rs", "Expander::elsewhere", 7),
+        ("crates/reachability/src/machine.rs", "Machine::new", 7),
+        ("crates/reachability/src/of_behaviours.rs", "seen_by", 7),
+        ("crates/reachability/src/within.rs", "Within::ask", 7),
+        ("crates/reachability/src/zones.rs", "Zones::with", 8),
+        ("crates/sequences/src/lib.rs", "Expander::advance", 7),
+        ("crates/sequences/src/lib.rs", "Expander::elsewhere", 7),
         ("tests/suite/common/twin/clamp.rs", "Scene::body_at", 7),
     ];
 

@@ -9,7 +9,7 @@ use fmi_hazard::host::{Hosted, PlantError};
 use fmi_hazard::human::{Action, Repertoire};
 use fmi_hazard::scan::{Prepared, StateChoice};
 use fmi_hazard::search::exhaustive::{Account, Before, Budget, Expanded, Expansion, Told, exhaust};
-use fmi_hazard::sim::expansion::{Expander, Merge, State};
+use fmi_hazard::sequences::{Expander, Merge, State};
 
 /// No bound, and what is too far away is dropped.
 pub const BUDGET: Budget = Budget { states: usize::MAX, bytes: usize::MAX, work: u64::MAX, drop: true };

@@ -5,7 +5,7 @@ use std::ops::ControlFlow;
 use fmi_hazard::record::model::ScanReport;
 use fmi_hazard::scan::{Exhaustive, Method, Prepared, Progress, ScanOptions, StateChoice, scan};
 use fmi_hazard::search::exhaustive::Budget;
-use fmi_hazard::sim::expansion::Merge;
+use fmi_hazard::sequences::Merge;
 use tempfile::TempDir;
 
 /// A folder with the FMU.

@@ -89,7 +89,10 @@ fn a_low_barrier_stops_the_chest() {
     let body = median_man();
     let sixteenths = reached(&body, 0.0, 0.0, 0.0, Posture::Forward, &[rail]);
     assert!((1..16).contains(&sixteenths), "{sixteenths}");
-    let head = body.placed(Vec3::ZERO, 0.0, Posture::Forward, BendFraction::new(sixteenths).unwrap()).capsule(BodyPart::Head).a;
+    let head = body
+        .placed(Vec3::ZERO, 0.0, Posture::Forward, BendFraction::new(sixteenths).unwrap())
+        .capsule(BodyPart::Head)
+        .a;
     assert!(head.z > 1.15 + 0.105 && head.x > 0.27, "the head is over the rail: {head}");
 }
 

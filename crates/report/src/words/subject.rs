@@ -5,8 +5,7 @@ use serde_json::Value;
 use super::Row;
 use fmi_hazard_record::forces::speed_words;
 use fmi_hazard_record::model::Settings;
-use fmu_self_test::number;
-use fmu_self_test::{Agreement, SelfTest};
+use fmu_self_test::{Agreement, SelfTest, number};
 
 /// Units by what names end in.
 const UNITS: [(&str, &str); 4] = [("_m_s", " m/s"), ("_s", " s"), ("_m", " m"), ("_deg", " degrees")];

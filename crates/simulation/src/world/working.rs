@@ -20,8 +20,7 @@ use crate::geometry::{Capsule, Cuboid, Solid, Vec3};
 use crate::human::arm::ArmModel;
 use crate::human::reach::{ArmSegment, ContactScore, ReachQuery, reach};
 use crate::human::walk::{WalkTrace, Walker};
-use crate::human::{Action, Place, PlacedBody, Posture, Presses, Side, Who, shoulder};
-use crate::human::{ControlKind, ControlledBy};
+use crate::human::{Action, ControlKind, ControlledBy, Place, PlacedBody, Posture, Presses, Side, Who, shoulder};
 
 /// Boxes of joint angles after which a hand is taken to get there.
 const WORK_LIMIT: u32 = 200_000;

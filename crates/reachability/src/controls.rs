@@ -14,8 +14,7 @@ use super::Anywhere;
 use crate::cell::{Control, Workcell};
 use crate::geometry::distance::point_segment;
 use crate::geometry::{Capsule, Vec3};
-use crate::human::{BendFraction, Posture, Presses, Side};
-use crate::human::{ControlKind, ControlledBy};
+use crate::human::{BendFraction, ControlKind, ControlledBy, Posture, Presses, Side};
 
 /// What is on, and how many presses are left.
 #[derive(Clone, Debug, PartialEq, Eq, PartialOrd, Ord)]

@@ -31,7 +31,7 @@ const MEASURED: usize = 128;
 
 /// Of each of some readings what the FMU is told, by number: the same where sensors share an input, and are told alike late and for as long.
 #[must_use]
-pub(crate) fn told_apart((cell, binding): (&Workcell, &Binding), readings: &[Readings], people: &[Seen]) -> Vec<usize> {
+pub fn told_apart((cell, binding): (&Workcell, &Binding), readings: &[Readings], people: &[Seen]) -> Vec<usize> {
     let sensors = || cell.sensors.iter().zip(&binding.sensors);
     // What is on its way, or latched by the host, is remembered sensor by sensor.
     let remembers = |sensor: &Sensor| (sensor.delay_steps, sensor.latched);
@@ -183,7 +183,7 @@ impl<'a, P: Plant> HeldReadings<'a, P> {
     }
 
     /// Measures how far apart robots are by these links.
-    pub(crate) fn measure(&mut self, links: &Arc<[bool]>, width: Width) {
+    pub fn measure(&mut self, links: &Arc<[bool]>, width: Width) {
         let columns = self.plant.output_count();
         let all = self.known.outputs.chunks(columns.max(1));
         let every = all.len().div_ceil(MEASURED).max(1);
@@ -201,7 +201,7 @@ impl<'a, P: Plant> HeldReadings<'a, P> {
 
     /// The outputs of what is shown, numbered by what robots do.
     #[must_use]
-    pub(crate) fn nearly(&self, shown: Shown) -> &[f64] {
+    pub fn nearly(&self, shown: Shown) -> &[f64] {
         &self.rows.row(shown)[..self.plant.output_count()]
     }
 

@@ -12,9 +12,9 @@ use crate::human::posture::cut_back;
 use crate::human::shoulder::is_available;
 use crate::human::{PoseBox, Side};
 use crate::sim::Coverage;
-use crate::sim::anywhere::{Harm, Moment};
 use crate::sim::encounter::may_meet;
 use crate::standards::BodyRegion;
+use crate::{Harm, Moment};
 
 /// Poses of a cell that are looked at again, of those in which trunk, head or legs are hit; and of those in which an arm is.
 const BODIES: usize = 3;
@@ -23,7 +23,7 @@ const ARMS: usize = 1;
 const INSTANTS: usize = 16;
 
 /// Of some harms in one cell of the floor those whose poses are looked at again, the worst first.
-pub(in crate::sim::anywhere) fn worth_following(mut harms: Vec<Harm>) -> Vec<Harm> {
+pub(crate) fn worth_following(mut harms: Vec<Harm>) -> Vec<Harm> {
     harms.sort_by(|a, b| b.contact.ratio().total_cmp(&a.contact.ratio()));
     let mut left = BTreeMap::from([(false, BODIES), (true, ARMS)]);
     let mut chosen: Vec<Harm> = Vec::new();
@@ -49,12 +49,7 @@ const fn is_of_arm(harm: &Harm) -> bool {
 impl Within<'_> {
     /// The worst that comes to somebody in the pose of a harm in each span of so many steps; nothing where there was no time for
     /// all of it. Of an arm the first harm that is found in a span is told, which may not be its worst.
-    pub(in crate::sim::anywhere) fn follow(
-        &self,
-        harm: &Harm,
-        span: usize,
-        coverage: &mut Coverage,
-    ) -> Option<Vec<Moment>> {
+    pub(crate) fn follow(&self, harm: &Harm, span: usize, coverage: &mut Coverage) -> Option<Vec<Moment>> {
         let encounter = &self.of.encounter;
         let pose = PoseBox::point(harm.xy_m, harm.heading_rad);
         let bend = cut_back(&self.of.cell.body, pose.position(), harm.heading_rad, harm.posture, &encounter.obstacles);

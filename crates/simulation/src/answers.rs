@@ -28,7 +28,7 @@ use sha2::{Digest as _, Sha256};
 use super::Coverage;
 
 /// What a question is known by: a part of the SHA-256 of what it follows from.
-pub(crate) type Key = [u8; 16];
+pub type Key = [u8; 16];
 
 /// Answers by what their questions are known by, each with what was counted on the way. See the top of this file.
 #[derive(Debug, Default)]
@@ -70,7 +70,7 @@ impl Answers {
 
     /// None yet, of a share of a search; they are kept until they are given away.
     #[must_use]
-    pub(crate) fn in_memory(share: Share) -> Self {
+    pub fn in_memory(share: Share) -> Self {
         Self { keeps: Keeps::InMemory, share: Some(share), ..Self::default() }
     }
 
@@ -84,7 +84,7 @@ impl Answers {
     ///
     /// # Errors
     /// Never, in practice.
-    pub(crate) fn to_bytes(&self, subject: &str) -> io::Result<Vec<u8>> {
+    pub fn to_bytes(&self, subject: &str) -> io::Result<Vec<u8>> {
         let mut bytes = Vec::new();
         records::append(&mut bytes, subject.as_bytes())?;
         for (key, answer) in &*lock(&self.known) {
@@ -110,17 +110,17 @@ impl Answers {
 
     /// The share of the search that they are of, if not of all.
     #[must_use]
-    pub(crate) const fn share(&self) -> Option<Share> {
+    pub const fn share(&self) -> Option<Share> {
         self.share
     }
 
     /// Whether it matters what questions are known by.
-    pub(super) fn is_used(&self) -> bool {
+    pub fn is_used(&self) -> bool {
         self.share.is_some() || !matches!(self.keeps, Keeps::Nothing) || !lock(&self.known).is_empty()
     }
 
     /// Whether the search is shared out, or put together from what shares answered.
-    pub(super) const fn is_shared_out(&self) -> bool {
+    pub const fn is_shared_out(&self) -> bool {
         self.share.is_some() || !matches!(self.keeps, Keeps::InFile(_))
     }
 
@@ -131,7 +131,7 @@ impl Answers {
     }
 
     /// What is known under this key, which so many questions have together, and what was counted for it.
-    pub(super) fn get<T: DeserializeOwned>(&self, key: &Key, questions: u64) -> Option<(T, Coverage)> {
+    pub fn get<T: DeserializeOwned>(&self, key: &Key, questions: u64) -> Option<(T, Coverage)> {
         self.asked.fetch_add(questions, Ordering::Relaxed);
         let known = lock(&self.known).get(key).and_then(|bytes| postcard::from_bytes(bytes).ok())?;
         self.remembered.fetch_add(questions, Ordering::Relaxed);
@@ -139,7 +139,7 @@ impl Answers {
     }
 
     /// Keeps an answer, if any are kept. A full disk must not end the search: what is not written is worked out again.
-    pub(super) fn keep(&self, key: &Key, answer: &impl Serialize, counted: &Coverage) {
+    pub fn keep(&self, key: &Key, answer: &impl Serialize, counted: &Coverage) {
         if matches!(self.keeps, Keeps::Nothing) {
             return;
         }
@@ -156,7 +156,7 @@ impl Answers {
     }
 
     /// What `work` answers to a question, or has answered before. What `is_cut_short` is not kept.
-    pub(super) fn answer<T: Serialize + DeserializeOwned>(
+    pub fn answer<T: Serialize + DeserializeOwned>(
         &self,
         key: impl FnOnce() -> Key,
         coverage: &mut Coverage,
@@ -188,19 +188,19 @@ fn lock<T>(of: &Mutex<T>) -> MutexGuard<'_, T> {
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Share {
     /// Which one, from 1.
-    pub(crate) number: u32,
+    pub number: u32,
     /// Of so many.
-    pub(crate) of: u32,
+    pub of: u32,
 }
 
 impl Share {
     /// All of so many.
-    pub(crate) fn all(of: u32) -> impl Iterator<Item = Self> {
+    pub fn all(of: u32) -> impl Iterator<Item = Self> {
         (1..=of).map(move |number| Self { number, of })
     }
 
     /// Whether what is known by this key is its own: each key is that of one of them.
-    pub(crate) fn owns(self, key: &Key) -> bool {
+    pub fn owns(self, key: &Key) -> bool {
         u128::from_le_bytes(*key) % u128::from(self.of) == u128::from(self.number - 1)
     }
 }
@@ -226,17 +226,17 @@ impl fmt::Display for Share {
 
 /// What things come to, as a key.
 #[derive(Default)]
-pub(super) struct Digest(Sha256);
+pub struct Digest(Sha256);
 
 impl Digest {
     /// Numbers, with how many they are, so that they do not run into what follows.
-    pub(super) fn numbers(&mut self, numbers: &[f64]) {
+    pub fn numbers(&mut self, numbers: &[f64]) {
         self.write_usize(numbers.len());
         numbers.iter().for_each(|number| self.write_u64(number.to_bits()));
     }
 
     /// What it all came to.
-    pub(super) fn key(self) -> Key {
+    pub fn key(self) -> Key {
         let mut key = Key::default();
         key.copy_from_slice(&self.0.finalize()[..16]);
         key

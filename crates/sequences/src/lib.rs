@@ -9,7 +9,7 @@
 //! **Equal states.** The person stands at the same place with the same heading, the sensors' delay lines are equal, and
 //! the FMU is in the same state: it had the same inputs, or its serialised state is the same byte for byte. With a plane
 //! (light curtain, door, two-hand control), the states in which the FMU would be had the plane told of an arm are equal as
-//! well, because what an arm meets depends on them (see [`super::curtain`]). With two planes that an arm may pass at once the
+//! well, because what an arm meets depends on them (see [`crate::sim::curtain`]). With two planes that an arm may pass at once the
 //! inputs have to be the same.
 
 mod ahead;
@@ -25,21 +25,28 @@ use std::sync::Arc;
 use self::ahead::{Move, Outlook, Way};
 use self::joined::{Joined, Met};
 use self::situations::Situations;
-use super::Coverage;
-use super::answers::Answers;
-use super::befallen::is_told;
-use super::bound::RobotBounds;
-use super::going::{Begin, Gone};
-use super::motion::Motion;
-use super::robots::{Robots, Shadow};
-use super::sensors::DelayLine;
-use super::world::{Frames, Places, Sensed, Sight, Walks, Worked, World};
 use crate::cell::{Binding, Workcell};
 use crate::hazard::Finding;
 use crate::host::{Advanced, NodeId, Plant, PlantError, Policy, Recall};
 use crate::human::walk::WalkTrace;
 use crate::human::{Action, Place, Presses, Who};
 use crate::search::exhaustive::{Before, Effect, Expanded, Expansion, Noted, Of};
+use crate::sim::Coverage;
+use crate::sim::answers::Answers;
+use crate::sim::befallen::is_told;
+use crate::sim::bound::RobotBounds;
+use crate::sim::going::{Begin, Gone};
+use crate::sim::motion::Motion;
+use crate::sim::robots::{Robots, Shadow};
+use crate::sim::sensors::DelayLine;
+use crate::sim::world::{Frames, Places, Sensed, Sight, Walks, Worked, World};
+
+use fmi_hazard_cell::cell;
+use fmi_hazard_criteria as hazard;
+use fmi_hazard_human::human;
+use fmi_hazard_search as search;
+use fmi_hazard_simulation as sim;
+use fmu_host::host;
 
 /// A state of the cell at the end of an action. Equal states have the same future.
 #[derive(Clone, Debug, PartialEq, Eq, PartialOrd, Ord)]
@@ -207,19 +214,19 @@ impl<P: Plant> Expander<P> {
 
     /// The same, with what is known from before, and what is kept.
     #[must_use]
-    pub(crate) fn with_answers(self, answers: Arc<Answers>) -> Self {
+    pub fn with_answers(self, answers: Arc<Answers>) -> Self {
         Self { answers, ..self }
     }
 
     /// What was seen. Actions and contact checks that came up several times count once.
     #[must_use]
-    pub(crate) const fn coverage(&self) -> &Coverage {
+    pub const fn coverage(&self) -> &Coverage {
         &self.coverage
     }
 
     /// What was seen of the robots' motion, in all runs so far.
     #[must_use]
-    pub(crate) const fn motion(&self) -> &Motion {
+    pub const fn motion(&self) -> &Motion {
         self.robots.motion()
     }
 
@@ -231,25 +238,25 @@ impl<P: Plant> Expander<P> {
 
     /// What the FMU said when it first could not finish a run in which planes told of an arm.
     #[must_use]
-    pub(crate) fn arm_run_unfinished(&self) -> Option<String> {
+    pub fn arm_run_unfinished(&self) -> Option<String> {
         self.robots.unfinished()
     }
 
     /// Whether in such a run something that follows the FMU would have done so otherwise: it is not followed up.
     #[must_use]
-    pub(crate) const fn arm_run_strayed(&self) -> bool {
+    pub const fn arm_run_strayed(&self) -> bool {
         self.robots.has_strayed()
     }
 
     /// Whether equal states of the FMU are told by their serialised bytes, else by the inputs.
     #[must_use]
-    pub(crate) const fn merges_by_bytes(&self) -> bool {
+    pub const fn merges_by_bytes(&self) -> bool {
         self.by_bytes
     }
 
     /// Different questions whether a contact is possible.
     #[must_use]
-    pub(crate) const fn questions(&self) -> u64 {
+    pub const fn questions(&self) -> u64 {
         self.questions
     }
 
@@ -551,10 +558,11 @@ fn note_clamping(noted: &mut Vec<Noted<Finding>>, (action, met): (usize, Finding
     }
 }
 
-#[cfg(test)]
 impl<P: Plant> Expander<P> {
-    /// The same, as if this had been seen.
-    pub(crate) fn having_seen(self, coverage: Coverage) -> Self {
+    /// The same, as if this had been seen: for tests of what follows from it.
+    #[doc(hidden)]
+    #[must_use]
+    pub fn having_seen(self, coverage: Coverage) -> Self {
         Self { coverage, ..self }
     }
 }
@@ -630,7 +638,7 @@ impl<P: Plant> Expansion for Expander<P> {
     }
 
     fn cost(&self) -> u64 {
-        super::coverage::cost(self.robots.recall.steps(), self.questions, self.coverage.arm_boxes)
+        sim::coverage::cost(self.robots.recall.steps(), self.questions, self.coverage.arm_boxes)
     }
 
     fn bytes(&self) -> usize {

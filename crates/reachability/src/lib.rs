@@ -30,7 +30,7 @@ pub mod reduced;
 mod shoulders;
 pub mod told;
 mod tries;
-pub(crate) mod widths;
+pub mod widths;
 mod within;
 pub mod zones;
 
@@ -47,11 +47,6 @@ use self::outside::Outside;
 use self::readings::{may_report, may_stay_clear};
 use self::told::{Told, arc};
 use self::within::Within;
-use super::Coverage;
-use super::curtain::Curtain;
-use super::encounter::{Encounter, Judge};
-use super::robot::RobotFrame;
-use super::sensors::{self, sees};
 use crate::cell::{Sensor, Workcell, Zone};
 use crate::geometry::joined::{joined, joined_two, merged};
 use crate::geometry::{Cuboid, Vec3};
@@ -60,14 +55,27 @@ use crate::human::ControlledBy;
 use crate::human::posture::{cut_back, may_be_cut_back};
 use crate::human::{BendFraction, Field, Floor, PlacedBody, PoseBox, Posture, Presses, is_without_room};
 use crate::search::behaviours::Number;
+use crate::sim::Coverage;
+use crate::sim::curtain::Curtain;
+use crate::sim::encounter::{Encounter, Judge};
+use crate::sim::robot::RobotFrame;
+use crate::sim::sensors::{self, sees};
 use crate::standards::iso_13855::WALKING_SPEED_M_S;
 use crate::stop::Stop;
 
+use fmi_hazard_cell::cell;
+use fmi_hazard_criteria as hazard;
+use fmi_hazard_human::{geometry, human, standards};
+use fmi_hazard_search as search;
+use fmi_hazard_simulation as sim;
+use fmi_hazard_stop as stop;
+use fmu_host::host;
+
 /// Edge of a cell of the floor, m, where there are no more than so many of them: 25 m by 25 m.
-pub(crate) const FLOOR_M: f64 = 0.025;
+pub const FLOOR_M: f64 = 0.025;
 const MOST_CELLS: f64 = 1e6;
 /// Half an edge of the cells in which a hazard is told once, m.
-pub(crate) const CELL_M: f64 = 0.05;
+pub const CELL_M: f64 = 0.05;
 /// Contacts of trunk, head and legs that are harmless when the person is moved by no more than this may be missed, m.
 pub const BODY_TOLERANCE_M: f64 = 0.01;
 /// Halves of boxes are made so that what is this far from the axis between the feet moves little, m.
@@ -144,7 +152,7 @@ pub struct Harm {
 impl Harm {
     /// When and how hard, in its history.
     #[must_use]
-    pub(crate) fn at(&self, history: &History) -> Moment {
+    pub fn at(&self, history: &History) -> Moment {
         Moment { xy_m: self.xy_m, step: history.seen[self.instant].step, ratio: self.contact.ratio() }
     }
 }
@@ -249,7 +257,7 @@ pub struct Anywhere<'a> {
 
 /// Whether sensors can report something of somebody.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(crate) enum Somewhere {
+pub enum Somewhere {
     /// Of somebody there, who looks there: floor plan, m, and rad.
     At([f64; 2], f64),
     /// Of nobody.
@@ -354,7 +362,7 @@ impl<'a> Anywhere<'a> {
 
     /// The same with what sensors inside the FMU report of people.
     #[must_use]
-    pub(crate) fn with(mut self, told: Told) -> Option<Self> {
+    pub fn with(mut self, told: Told) -> Option<Self> {
         self.told = Some(told);
         self.outside = Mutex::default();
         (self.by_cell, self.told_of) = (OnceLock::new(), OnceLock::new());
@@ -370,7 +378,7 @@ impl<'a> Anywhere<'a> {
 
     /// Whether it is known what sensors inside the FMU report.
     #[must_use]
-    pub(crate) const fn is_told(&self) -> bool {
+    pub const fn is_told(&self) -> bool {
         self.told.is_some()
     }
 
@@ -457,7 +465,7 @@ impl<'a> Anywhere<'a> {
 
     /// Whether somebody may be there at the start, upright, of whom the sensors then report these readings.
     #[must_use]
-    pub(crate) fn may_begin(&self, xy_m: [f64; 2], heading_rad: f64, readings: &[Option<bool>]) -> bool {
+    pub fn may_begin(&self, xy_m: [f64; 2], heading_rad: f64, readings: &[Option<bool>]) -> bool {
         let beyond = self.cell.start_region.is_none() && !self.ground.holds(xy_m, 0.0);
         (beyond || self.ground.within(xy_m, 0.0).any(|cell| self.unseen[cell]))
             && self.is_possible(xy_m, heading_rad, Posture::Upright, readings)
@@ -465,7 +473,7 @@ impl<'a> Anywhere<'a> {
 
     /// What the sensors report of somebody there, without arms.
     #[must_use]
-    pub(crate) fn reports(&self, xy_m: [f64; 2], heading_rad: f64, posture: Posture) -> zones::Readings {
+    pub fn reports(&self, xy_m: [f64; 2], heading_rad: f64, posture: Posture) -> zones::Readings {
         let position = PoseBox::point(xy_m, heading_rad).position();
         let bend = cut_back(&self.cell.body, position, heading_rad, posture, &self.encounter.obstacles);
         let body = Some(self.placed(&PoseBox::point(xy_m, heading_rad), posture, bend));
@@ -527,7 +535,7 @@ impl<'a> Anywhere<'a> {
 
     /// Whether there is a pose, upright, in which the sensors report these readings.
     #[must_use]
-    pub(crate) fn somewhere(&self, readings: &[bool]) -> Somewhere {
+    pub fn somewhere(&self, readings: &[bool]) -> Somewhere {
         let cells = (0..self.ground.cells()).filter(|cell| self.unseen[*cell]);
         let first = |cell| PoseBox {
             xy_m: self.ground.middle(cell),
@@ -592,7 +600,7 @@ fn starts(cell: &Workcell) -> Vec<[f64; 2]> {
 
 /// Readings of all sensors, where all matter.
 #[must_use]
-pub(crate) fn known(readings: &[bool]) -> Vec<Option<bool>> {
+pub fn known(readings: &[bool]) -> Vec<Option<bool>> {
     readings.iter().copied().map(Some).collect()
 }
 

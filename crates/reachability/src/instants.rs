@@ -131,13 +131,13 @@ impl<'a> Instants<'a> {
 
     /// The same of robots that may be off by so much.
     #[must_use]
-    pub(crate) fn that_are_off(self, off: MayBeOff) -> Self {
+    pub fn that_are_off(self, off: MayBeOff) -> Self {
         Self { off, ..self }
     }
 
     /// What was seen of the robots' motion and the speeds that are told of it.
     #[must_use]
-    pub(crate) const fn motion(&self) -> &Motion {
+    pub const fn motion(&self) -> &Motion {
         &self.motion
     }
 
@@ -265,12 +265,7 @@ impl<'a> Instants<'a> {
     /// where that are too many, where it is not known how far links get in a step, or where speeds are worked out from the motion: then
     /// no joint seems ever faster than at a steady speed.
     #[must_use]
-    pub(crate) fn history_in_parts(
-        &self,
-        way: usize,
-        parts: usize,
-        near: &dyn Fn(&RobotFrame) -> bool,
-    ) -> Option<History> {
+    pub fn history_in_parts(&self, way: usize, parts: usize, near: &dyn Fn(&RobotFrame) -> bool) -> Option<History> {
         if !self.binding.derived.is_empty() {
             return None;
         }
@@ -342,7 +337,7 @@ mod tests {
     /// Robots at some instant.
     fn frame() -> Arc<RobotFrame> {
         let dir = tempfile::tempdir().unwrap();
-        crate::examples::by_name("sensor-mat").unwrap().export(dir.path()).unwrap();
+        fmi_hazard_examples::by_name("sensor-mat").unwrap().export(dir.path()).unwrap();
         let opened = open(&dir.path().join("sensor-mat/cell.toml"), None).unwrap();
         let units = BoundUnit::all(opened.fmus.iter().map(|(name, fmu)| (name, fmu)));
         let binding = bind(opened.cell.file(), &opened.source, &units, None).unwrap();

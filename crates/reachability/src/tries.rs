@@ -22,7 +22,7 @@ impl Anywhere<'_> {
     /// Some of the robots of some histories, and harms in poses near them. `None` where no robot of them can harm anybody. The same
     /// numbers draw the same.
     #[must_use]
-    pub(crate) fn near_robots(&self, histories: &[History], rng: &mut Rng) -> Option<(History, Vec<Harm>)> {
+    pub fn near_robots(&self, histories: &[History], rng: &mut Rng) -> Option<(History, Vec<Harm>)> {
         let history = any_of(histories, rng)?;
         let end = AtomicBool::new(false);
         let within = Within::new(self, &history, &end);

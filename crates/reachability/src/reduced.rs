@@ -27,7 +27,7 @@ pub struct Nearly {
 
 /// What robots may be off by in any case, by the greatest speed of their links up to which it is so, m/s: slowest first.
 #[derive(Clone, Debug, Default, PartialEq)]
-pub(crate) struct MayBeOff(pub Vec<(f64, Nearly)>);
+pub struct MayBeOff(pub Vec<(f64, Nearly)>);
 
 impl MayBeOff {
     /// By how much robots may be off that are so fast.

@@ -21,7 +21,7 @@ const CELL: f32 = 0.5;
 
 /// One width.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(crate) struct Width {
+pub struct Width {
     /// By place, m.
     pub place_m: f64,
     /// By speed, m/s.

@@ -45,7 +45,7 @@ impl Anywhere<'_> {
     /// Whether it is shown that somebody gets there from where people come from, with none of the sensors that `matter` seeing them on the
     /// way: see the top of this file.
     #[must_use]
-    pub(crate) fn comes_to(&self, xy_m: [f64; 2], matter: &[bool]) -> bool {
+    pub fn comes_to(&self, xy_m: [f64; 2], matter: &[bool]) -> bool {
         let outside = self.outside_of(matter);
         if !self.ground.holds(xy_m, 0.0) {
             return outside.leaves;

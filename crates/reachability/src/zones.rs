@@ -30,7 +30,7 @@ const ROUNDING: f64 = 1e-9;
 const FAR_M: f64 = 4.0;
 
 /// What the sensors report, one after the other.
-pub(crate) type Readings = Vec<bool>;
+pub type Readings = Vec<bool>;
 
 /// A way to come to readings.
 #[derive(Clone, Debug)]
@@ -290,7 +290,7 @@ impl Zones {
 
     /// After so many steps at most everybody is wherever they get to.
     #[must_use]
-    pub(crate) fn longest(&self, step_m: f64) -> usize {
+    pub fn longest(&self, step_m: f64) -> usize {
         let all = self.ways.iter().map(|way| &way.field).chain([&self.origin]);
         let farthest = |field: &Arc<Field>| field.all().iter().copied().filter(|at| at.is_finite()).fold(0.0, f64::max);
         steps_for(all.map(farthest).fold(0.0, f64::max), step_m) + 1
@@ -390,7 +390,7 @@ impl Ways for Zones {
 impl Anywhere<'_> {
     /// All that the sensors may report together of somebody; nothing, where there is no time for it.
     #[must_use]
-    pub(crate) fn readings(&self) -> Option<Vec<Readings>> {
+    pub fn readings(&self) -> Option<Vec<Readings>> {
         let all: BTreeSet<&Readings> = self.readings_by_cell()?.iter().flatten().collect();
         Some(all.into_iter().cloned().collect())
     }

@@ -71,12 +71,12 @@ impl<'a, P: Plant> Machine<'a, P> {
 
     /// Why the FMU first could not finish a step.
     #[must_use]
-    pub(crate) fn fault(&self) -> Option<&str> {
+    pub fn fault(&self) -> Option<&str> {
         self.fault.as_deref()
     }
 
     /// Forgets what was seen, for another exploration of the same states.
-    pub(crate) fn begin(&mut self) {
+    pub fn begin(&mut self) {
         self.instants.clear();
         self.stories.clear();
     }

@@ -28,7 +28,7 @@ const COARSEST_M: f64 = 0.3;
 const COARSEST_HEADINGS: u32 = 4;
 
 /// A person somewhere, upright.
-pub(crate) type Stance = ([f64; 2], f64);
+pub type Stance = ([f64; 2], f64);
 
 /// See the top of this file.
 #[derive(Clone, Debug)]
@@ -77,7 +77,7 @@ impl<'a, P: Plant> Asking<'a, P> {
     ///
     /// # Errors
     /// When the FMU fails.
-    pub(crate) fn after(&mut self, steps: usize, somebody: Stance) -> Result<(), PlantError> {
+    pub fn after(&mut self, steps: usize, somebody: Stance) -> Result<(), PlantError> {
         self.before = self.told(somebody).repeat(steps);
         if self.root.is_some() {
             self.begin()?;
@@ -105,7 +105,7 @@ impl<'a, P: Plant> Asking<'a, P> {
 
     /// Steps in which the FMU was asked.
     #[must_use]
-    pub(crate) const fn taken(&self) -> u64 {
+    pub const fn taken(&self) -> u64 {
         self.taken
     }
 
@@ -160,7 +160,7 @@ impl<'a, P: Plant> Asking<'a, P> {
 
     /// For how many steps people stay.
     #[must_use]
-    pub(crate) const fn steps(&self) -> usize {
+    pub const fn steps(&self) -> usize {
         self.steps
     }
 
@@ -208,7 +208,7 @@ impl Told {
 
     /// Some of the people that were asked about, of each kind about as many, and what is reported of them.
     #[must_use]
-    pub(crate) fn some(&self, most: usize) -> Vec<(Stance, &[bool])> {
+    pub fn some(&self, most: usize) -> Vec<(Stance, &[bool])> {
         let of_each = (most / self.kinds.len().max(1)).max(1);
         let each = self.kinds.iter().zip(&self.people);
         each.flat_map(|(kind, people)| {
@@ -226,7 +226,7 @@ impl Told {
     }
 
     /// People of whom just this is reported, as far as `matters` says.
-    pub(crate) fn people(&self, readings: &[bool], matters: impl Fn(usize) -> bool) -> impl Iterator<Item = Stance> {
+    pub fn people(&self, readings: &[bool], matters: impl Fn(usize) -> bool) -> impl Iterator<Item = Stance> {
         let same =
             move |kind: &[bool]| (0..kind.len()).all(|sensor| !matters(sensor) || kind[sensor] == readings[sensor]);
         let kinds = self.kinds.iter().zip(&self.people).filter(move |(kind, _)| same(kind));
