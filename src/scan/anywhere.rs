@@ -37,7 +37,6 @@ use super::footing::{Doubt, Footing};
 use super::hosting::StateChoice;
 use super::options::ScanError;
 use super::prepare::Prepared;
-use crate::cell::Zone;
 use crate::host::audit::{Scope, audit};
 use crate::host::{Hosted, PlantError, Recall};
 use crate::human::{Floor, Start};
@@ -116,7 +115,7 @@ fn coarse(floor: &Floor) -> Option<String> {
 /// Sensors that report whoever is *not* at them.
 fn two_hand(prepared: &Prepared) -> Vec<usize> {
     let sensors = prepared.cell.sensors.iter().enumerate();
-    sensors.filter(|(_, sensor)| matches!(sensor.zone, Zone::TwoHand { .. })).map(|(n, _)| n).collect()
+    sensors.filter(|(_, sensor)| sensor.zone.is_post()).map(|(n, _)| n).collect()
 }
 
 /// Everything that sensors may report of somebody who is seen by none: hands on the buttons of two-hand controls, or not.

@@ -9,7 +9,6 @@ use super::hosting::StateChoice;
 use super::outline::{flat, heights, outline};
 use super::prepare::Prepared;
 use super::there::Runs;
-use crate::cell::Zone;
 use crate::cell::workcell::Obstacle;
 use crate::geometry::polygon::contains;
 use crate::geometry::segment_cuboid::{capsule_cuboid, segment_hits_cuboid};
@@ -129,7 +128,7 @@ fn got_below(prepared: &Prepared, instants: &[Instant]) -> Option<String> {
     };
     let sensors = prepared.cell.sensors.iter().enumerate();
     let mut below = sensors.filter(|(number, sensor)| {
-        let (Zone::Curtain(plane) | Zone::Door(plane)) = &sensor.zone else { return false };
+        let Some(plane) = sensor.zone.walked_through() else { return false };
         instants.iter().all(|instant| !instant.readings[*number])
             && instants.windows(2).any(|pair| passes(plane, [&pair[0], &pair[1]]))
     });

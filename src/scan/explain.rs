@@ -3,7 +3,6 @@
 use super::film::contact_frame;
 use super::prepare::Prepared;
 use super::settings;
-use crate::cell::Zone;
 use crate::geometry::polygon::{contains, distance_to_edge};
 use crate::human::action::ACTION_S;
 use crate::record::hazard::Hazard;
@@ -50,11 +49,10 @@ pub(crate) fn explain(prepared: &Prepared, hazard: &Hazard, watched: &Watched) -
 
 /// How far the person stands outside of the zones of sensors that report nobody at the contact.
 pub(super) fn outside(prepared: &Prepared, hazard: &Hazard, readings: &[bool]) -> impl Iterator<Item = Outside> {
-    prepared.cell.sensors.iter().zip(readings).filter_map(|(sensor, &reports)| match &sensor.zone {
-        Zone::Mat(polygon) | Zone::Field(polygon) if !reports && !contains(polygon, hazard.person_xy_m) => {
-            let distance_m = distance_to_edge(polygon, hazard.person_xy_m);
-            Some(Outside { name: sensor.name.clone(), distance_m })
-        }
-        _ => None,
+    prepared.cell.sensors.iter().zip(readings).filter_map(|(sensor, &reports)| {
+        let polygon = sensor.zone.stepped_on()?;
+        let is_outside = !reports && !contains(polygon, hazard.person_xy_m);
+        let distance_m = distance_to_edge(polygon, hazard.person_xy_m);
+        is_outside.then(|| Outside { name: sensor.name.clone(), distance_m })
     })
 }

@@ -6,7 +6,8 @@ use super::arms::{self, Joints};
 use super::hosting::StateChoice;
 use super::outline;
 use super::prepare::Prepared;
-use crate::cell::{self, Control, Workcell, Zone, looks};
+use crate::cell::sensor::zone::heights;
+use crate::cell::{self, Control, DetectionZone, Sensor, Workcell, looks};
 use crate::geometry::distance::point_segment;
 use crate::geometry::surface::Triangles;
 use crate::geometry::{Capsule, Cuboid, Pose, Solid, Vec3};
@@ -42,7 +43,7 @@ pub(crate) fn scenery(prepared: &Prepared) -> Scenery {
         },
         sensors: cell.sensors.iter().map(|sensor| sensor.name.clone()).collect(),
         zones: {
-            let sensors = cell.sensors.iter().filter_map(|sensor| zone(&sensor.name, &sensor.zone));
+            let sensors = cell.sensors.iter().filter_map(zone);
             sensors.chain(cell.controls.iter().filter_map(button)).collect()
         },
         links: cell
@@ -124,22 +125,14 @@ fn obstacle(obstacle: &cell::workcell::Obstacle, opened_by: Option<String>) -> O
     }
 }
 
-/// From and to above the floor, m.
-fn span(plane: &Cuboid) -> [f64; 2] {
-    [plane.centre.z - plane.half.z, plane.centre.z + plane.half.z]
-}
-
 /// Where a sensor sees; nothing of one inside the FMU is known.
-fn zone(name: &str, zone: &Zone) -> Option<ZoneOutline> {
-    let (kind, z_m) = match zone {
-        Zone::Mat(_) => ("mat", [0.0, FLOOR_M]),
-        Zone::Field(_) => ("field", [0.0, FLOOR_M]),
-        Zone::Curtain(plane) => ("curtain", span(plane)),
-        Zone::Door(plane) => ("door", span(plane)),
-        Zone::TwoHand { .. } => ("post", [0.0, FLOOR_M]),
-        Zone::Reported => return None,
+fn zone(Sensor { name, kind, zone, .. }: &Sensor) -> Option<ZoneOutline> {
+    let z_m = match zone {
+        DetectionZone::Floor(_) | DetectionZone::Post { .. } => [0.0, FLOOR_M],
+        DetectionZone::Plane(plane) => heights(plane),
+        DetectionZone::InFmu => return None,
     };
-    Some(ZoneOutline::new(name, kind, outline::zone(zone)?, z_m))
+    Some(ZoneOutline::new(name, kind.picture()?.word(), outline::zone(zone)?, z_m))
 }
 
 /// A control as something upright that is as large as what a hand has to get to, or a little larger.
@@ -241,7 +234,7 @@ pub fn replay(prepared: &Prepared, hazard: &Hazard, watched: &Watched, top_view:
         })
         .collect();
     let curve = |of: usize| Floats(curves.iter().map(|values| values[of]).collect());
-    let sensor = |(number, sensor): (usize, &cell::workcell::Sensor)| Strip {
+    let sensor = |(number, sensor): (usize, &Sensor)| Strip {
         name: sensor.name.clone(),
         detected: instants.iter().map(|instant| if instant.readings[number] { '1' } else { '0' }).collect(),
     };

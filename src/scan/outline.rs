@@ -1,6 +1,6 @@
 //! Parts of a cell from above, m.
 
-use crate::cell::{Control, Workcell, Zone};
+use crate::cell::{Control, DetectionZone, Workcell};
 use crate::geometry::polygon::convex_outline;
 use crate::geometry::{Cuboid, Pose, Solid, Vec3};
 use crate::report::topview::{Part, Point};
@@ -9,12 +9,12 @@ pub(super) const fn flat(v: Vec3) -> Point {
     [v.x, v.y]
 }
 
-/// Where a sensor sees, from above; the plane of a light curtain as a thin strip.
-pub(super) fn zone(zone: &Zone) -> Option<Vec<Point>> {
+/// Where a sensor sees, from above; a plane as a thin strip.
+pub(super) fn zone(zone: &DetectionZone) -> Option<Vec<Point>> {
     match zone {
-        Zone::Mat(polygon) | Zone::Field(polygon) | Zone::TwoHand { post: polygon, .. } => Some(polygon.clone()),
-        Zone::Curtain(plane) | Zone::Door(plane) => Some(outline(&Cuboid { half: plane.half.with_y(0.01), ..*plane })),
-        Zone::Reported => None,
+        DetectionZone::Floor(polygon) | DetectionZone::Post { post: polygon, .. } => Some(polygon.clone()),
+        DetectionZone::Plane(plane) => Some(outline(&Cuboid { half: plane.half.with_y(0.01), ..*plane })),
+        DetectionZone::InFmu => None,
     }
 }
 

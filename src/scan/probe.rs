@@ -16,7 +16,7 @@ use serde::Serialize;
 use super::hosting::StateChoice;
 use super::prepare::Prepared;
 use super::stop_time;
-use crate::cell::workcell::Signal;
+use crate::cell::sensor::Signal;
 use crate::host::{Plant, PlantError};
 use crate::human::action::ACTION_S;
 use crate::sim::World;

@@ -9,7 +9,7 @@ use super::hosting::StateChoice;
 use super::prepare::Prepared;
 use super::prepare_error::PrepareError;
 use super::settings::{self, criteria};
-use crate::cell::{Workcell, Zone};
+use crate::cell::Workcell;
 use crate::hazard::{Class, Finding, STANDSTILL_M_S};
 use crate::host::PlantError;
 use crate::human::{Action, Body};
@@ -137,7 +137,7 @@ impl Again<'_> {
             // Who comes from anywhere begins where no zone is, and has no hands on anything.
             Some(_) => {
                 let sensors = place.prepared.cell.sensors.iter();
-                let hands = sensors.filter(|sensor| matches!(sensor.zone, Zone::TwoHand { .. }));
+                let hands = sensors.filter(|sensor| sensor.zone.is_post());
                 hands.map(|sensor| sensor.name.clone()).collect()
             }
         }

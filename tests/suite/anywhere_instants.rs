@@ -10,7 +10,6 @@ use crate::common::guarded::guarded;
 use crate::common::instant::{ANYWHERE, Instant, seen, slow, uniform};
 use crate::common::write;
 use crate::sample;
-use fmi_hazard::cell::Zone;
 use fmi_hazard::geometry::Vec3;
 use fmi_hazard::human::posture::cut_back;
 use fmi_hazard::human::shoulder::is_available;
@@ -84,7 +83,7 @@ fn look_at_poses(asked: &Asked<'_>) -> (usize, usize) {
             bodies.into_iter().any(|body| sees(sensor, &Seen { body: Some(body), ..seen(prepared, before, heading) }))
         };
         // Who stands before a plane that is clear is held by it.
-        let is_held = |sensor: &fmi_hazard::cell::Sensor| matches!(sensor.zone, Zone::Curtain(_)) && at[1] <= -0.6;
+        let is_held = |sensor: &fmi_hazard::cell::Sensor| sensor.zone.walked_through().is_some() && at[1] <= -0.6;
         if !search.has_room(at)
             || history.fields[0].least(at, 0.0) > asked.walked.1
             || cell

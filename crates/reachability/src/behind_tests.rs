@@ -1,7 +1,7 @@
 //! What is taken to hold of everybody in a box is looked at of people in it, one by one.
 
 use super::*;
-use crate::cell::Zone;
+use crate::cell::DetectionZone;
 use crate::geometry::{Capsule, rotation_about};
 use crate::human::{Anthropometry, Body};
 use crate::search::Rng;
@@ -15,7 +15,7 @@ fn uniform(rng: &mut Rng, low: f64, high: f64) -> f64 {
 fn curtain(turned: f64) -> Curtain {
     let rotation = rotation_about(Vec3::Z, turned);
     let plane = Cuboid { centre: Vec3::new(0.0, 0.0, 0.6), half: Vec3::new(0.4, 0.0, 0.6), rotation };
-    Curtain::new(0, &Zone::Curtain(plane), rotation * Vec3::new(0.0, -3.0, 0.0), &[]).unwrap()
+    Curtain::new(0, &DetectionZone::Plane(plane), rotation * Vec3::new(0.0, -3.0, 0.0), &[]).unwrap()
 }
 
 /// Somebody in a box, mostly at its edges.

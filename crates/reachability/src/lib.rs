@@ -47,7 +47,7 @@ use self::outside::Outside;
 use self::readings::{may_report, may_stay_clear};
 use self::told::{Told, arc};
 use self::within::Within;
-use crate::cell::{Sensor, Workcell, Zone};
+use crate::cell::{Sensor, Workcell};
 use crate::geometry::joined::{joined, joined_two, merged};
 use crate::geometry::{Cuboid, Vec3};
 use crate::hazard::Contact;
@@ -311,9 +311,7 @@ impl<'a> Anywhere<'a> {
             hold([cuboid.centre.x, cuboid.centre.y], cuboid.half.length() + AROUND_M);
         }
         for sensor in &cell.sensors {
-            if let Zone::Mat(polygon) | Zone::Field(polygon) | Zone::TwoHand { post: polygon, .. } = &sensor.zone {
-                polygon.iter().for_each(|corner| hold(*corner, AROUND_M));
-            }
+            sensor.zone.corners().into_iter().flatten().for_each(|corner| hold(*corner, AROUND_M));
         }
         let in_hand = cell.controls.iter().filter(|control| control.by == ControlledBy::Person);
         for place in in_hand.filter_map(|control| control.place) {
@@ -412,10 +410,9 @@ impl<'a> Anywhere<'a> {
 
     /// Whether somebody may be in a cell of the floor with none of some sensors seeing them that keeps people out.
     fn may_pass_unseen(&self, cell: usize, counts: &dyn Fn(usize) -> bool) -> bool {
-        let keeps_out = |zone: &Zone| !matches!(zone, Zone::TwoHand { .. } | Zone::Reported);
         let sensors = self.cell.sensors.iter().enumerate();
         let sensors: Vec<_> =
-            sensors.filter(|(n, sensor)| counts(*n) && keeps_out(&sensor.zone)).map(|(_, sensor)| sensor).collect();
+            sensors.filter(|(n, sensor)| counts(*n) && sensor.zone.keeps_out()).map(|(_, sensor)| sensor).collect();
         (0..).zip(headings(told::ARCS)).any(|(arc, (heading_rad, half_rad))| {
             let at =
                 PoseBox { xy_m: self.ground.middle(cell), half_m: 0.5 * self.ground.cell_m(), heading_rad, half_rad };
@@ -624,10 +621,10 @@ fn is_smallest(at: &PoseBox) -> bool {
 
 /// Whether a sensor is inside the FMU.
 const fn is_reported(sensor: &Sensor) -> bool {
-    matches!(sensor.zone, Zone::Reported)
+    sensor.zone.is_in_fmu()
 }
 
 /// Whether a sensor tells of arms.
 const fn is_plane(sensor: &Sensor) -> bool {
-    matches!(sensor.zone, Zone::Curtain(_) | Zone::Door(_))
+    sensor.zone.walked_through().is_some()
 }

@@ -11,7 +11,7 @@ use std::sync::{Arc, PoisonError};
 use super::readings::may_report;
 use super::told::arc;
 use super::{Anywhere, FLOOR_M, is_plane, is_reported, starts};
-use crate::cell::{Sensor, Zone};
+use crate::cell::{DetectionZone, Sensor};
 use crate::geometry::polygon::{contains, distance_to_edge};
 use crate::geometry::segment_cuboid::point_cuboid;
 use crate::geometry::{Cuboid, Vec3};
@@ -104,7 +104,7 @@ impl<'a> Rules<'a> {
     fn new(of: &'a Anywhere<'_>, matter: &[bool]) -> Self {
         let counts = |(sensor, matters): (&'a Sensor, &bool)| matters.then_some(sensor);
         let all = of.cell.sensors.iter().zip(matter);
-        let keeps_out = |sensor: &&Sensor| !matches!(sensor.zone, Zone::TwoHand { .. } | Zone::Reported);
+        let keeps_out = |sensor: &&Sensor| sensor.zone.keeps_out();
         Self {
             of,
             obstacles: of.cell.standing(Presses::NONE, Arrangement::NONE),
@@ -124,12 +124,12 @@ impl<'a> Rules<'a> {
             polygon.iter().zip(next).map(|([a, b], [c, d])| libm::atan2(d - b, c - a)).collect()
         };
         let of_zone = |sensor: &&Sensor| match &sensor.zone {
-            Zone::Mat(edges) | Zone::Field(edges) => polygon(edges),
-            Zone::Curtain(plane) | Zone::Door(plane) => {
+            DetectionZone::Floor(edges) => polygon(edges),
+            DetectionZone::Plane(plane) => {
                 let along = plane.rotation * Vec3::X;
                 vec![libm::atan2(along.y, along.x)]
             }
-            Zone::TwoHand { .. } | Zone::Reported => Vec::new(),
+            DetectionZone::Post { .. } | DetectionZone::InFmu => Vec::new(),
         };
         let mut turned = vec![0.0];
         for turn in self.sensors.iter().flat_map(of_zone).map(Inwards::turn_of) {

@@ -1,6 +1,6 @@
 //! What sensors may report of a person who stands somewhere in a box of places and headings.
 
-use crate::cell::{Sensor, Zone};
+use crate::cell::{DetectionZone, Sensor};
 use crate::geometry::Cuboid;
 use crate::geometry::polygon::{contains, distance_to_edge};
 use crate::geometry::segment_cuboid::segment_cuboid;
@@ -23,8 +23,10 @@ impl May {
 /// Whether `sensor` may be clear of a person who is in the box and bends in any way.
 pub(super) fn may_stay_clear(sensor: &Sensor, of: &Body, body: &PlacedBody, at: &PoseBox) -> bool {
     match &sensor.zone {
-        Zone::Curtain(plane) | Zone::Door(plane) => plane_may(plane, body, at, |part| !part.is_trunk()).clear,
-        _ => may_report(sensor, of, body, at).clear,
+        DetectionZone::Plane(plane) => plane_may(plane, body, at, |part| !part.is_trunk()).clear,
+        DetectionZone::Floor(_) | DetectionZone::Post { .. } | DetectionZone::InFmu => {
+            may_report(sensor, of, body, at).clear
+        }
     }
 }
 
@@ -53,16 +55,16 @@ pub(super) fn may_report(sensor: &Sensor, of: &Body, body: &PlacedBody, at: &Pos
         })
     };
     match &sensor.zone {
-        Zone::Mat(polygon) | Zone::Field(polygon) => {
+        DetectionZone::Floor(polygon) => {
             let [left, right] = stands(polygon);
             May { see: left[0] || right[0], clear: left[1] && right[1] }
         }
-        Zone::TwoHand { post, .. } => {
+        DetectionZone::Post { post, .. } => {
             let [left, right] = stands(post);
             May { clear: left[0] && right[0], see: left[1] || right[1] }
         }
-        Zone::Curtain(plane) | Zone::Door(plane) => plane_may(plane, body, at, |_| true),
-        Zone::Reported => May { clear: true, see: true },
+        DetectionZone::Plane(plane) => plane_may(plane, body, at, |_| true),
+        DetectionZone::InFmu => May { clear: true, see: true },
     }
 }
 
@@ -74,7 +76,7 @@ pub(super) fn lever(at: &PoseBox, x: f64, y: f64) -> f64 {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::cell::workcell::Signal;
+    use crate::cell::sensor::{Signal, mat};
     use crate::geometry::{Vec3, rotation_about};
     use crate::human::{Anthropometry, BendFraction, Posture};
     use crate::search::Rng;
@@ -95,14 +97,12 @@ mod tests {
             rotation: rotation_about(Vec3::Z, 0.4),
         };
         let zones = [
-            Zone::Mat(polygon.clone()),
-            Zone::Field(polygon.clone()),
-            Zone::Curtain(plane),
-            Zone::Door(plane),
-            Zone::TwoHand { post: polygon, plane },
+            DetectionZone::Floor(polygon.clone()),
+            DetectionZone::Plane(plane),
+            DetectionZone::Post { post: polygon, plane },
         ];
-        let (mut seen_by, mut certain, mut small_boxes, mut bent_away) = ([0; 5], 0, 0, 0);
-        for number in 0..6000 {
+        let (mut seen_by, mut certain, mut small_boxes, mut bent_away) = ([0; 3], 0, 0, 0);
+        for number in 0..3600 {
             let small = number % 3 == 0;
             let at = PoseBox {
                 xy_m: [uniform(-1.0, 1.0), uniform(-1.0, 1.0)],
@@ -111,9 +111,11 @@ mod tests {
                 half_rad: if small { 0.01 } else { uniform(0.0, 3.1) },
             };
             let posture = Posture::USUAL[number % 6];
-            let zone = number % 5;
+            let zone = number / 6 % 3;
             let sensor = Sensor {
                 name: String::new(),
+                // Any: by its zone alone it reports.
+                kind: mat::KIND,
                 zone: zones[zone].clone(),
                 signal: Signal::Boolean { active: true },
                 delay_steps: 0,

@@ -16,7 +16,7 @@ use std::sync::Arc;
 
 use super::readings::{may_report, may_stay_clear};
 use super::{Anywhere, headings, told};
-use crate::cell::{Sensor, Zone};
+use crate::cell::{DetectionZone, Sensor};
 use crate::geometry::segment_cuboid::point_cuboid;
 use crate::human::floor::of_cells;
 use crate::human::{BendFraction, Field, Floor, PoseBox, Posture, Presses};
@@ -416,10 +416,12 @@ impl Anywhere<'_> {
             for sensor in &self.cell.sensors {
                 let may = |reading: bool| match &sensor.zone {
                     // An arm in a plane is reported as the body is.
-                    Zone::Curtain(_) | Zone::Door(_) if reading => self.is_near_plane(sensor, &at),
-                    Zone::Curtain(_) | Zone::Door(_) => may_stay_clear(sensor, &self.cell.body, &body, &at),
-                    Zone::Reported => !reading,
-                    _ => may_report(sensor, &self.cell.body, &body, &at).be(reading),
+                    DetectionZone::Plane(_) if reading => self.is_near_plane(sensor, &at),
+                    DetectionZone::Plane(_) => may_stay_clear(sensor, &self.cell.body, &body, &at),
+                    DetectionZone::InFmu => !reading,
+                    DetectionZone::Floor(_) | DetectionZone::Post { .. } => {
+                        may_report(sensor, &self.cell.body, &body, &at).be(reading)
+                    }
                 };
                 let may = [may(false), may(true)];
                 let with = |so_far: Readings| {

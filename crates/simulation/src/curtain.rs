@@ -8,7 +8,7 @@
 //! A door is the same with another switch. So are the buttons of a two-hand control for the hands that let them go, but
 //! not for the rest of the body; and hands that have been free for long are held by nothing.
 
-use crate::cell::{Sensor, Workcell, Zone};
+use crate::cell::{DetectionZone, Sensor, Workcell};
 use crate::geometry::distance::{point_segment, segment_segment};
 use crate::geometry::{Cuboid, Solid, Vec3};
 use crate::standards::iso_13855::HAND_SPEED_M_S;
@@ -56,7 +56,7 @@ impl Curtain {
 
     /// That of a sensor whose zone has a plane.
     #[must_use]
-    pub fn new(sensor: usize, zone: &Zone, start: Vec3, obstacles: &[Cuboid]) -> Option<Self> {
+    pub fn new(sensor: usize, zone: &DetectionZone, start: Vec3, obstacles: &[Cuboid]) -> Option<Self> {
         let (plane, post) = zone.plane()?;
         Some(Self {
             sensor,

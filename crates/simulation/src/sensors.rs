@@ -6,7 +6,7 @@
 //! depend on the walk alone.
 
 use crate::cell::file::format::PoseQuantity;
-use crate::cell::{Binding, Sensor, Workcell, Zone};
+use crate::cell::{Binding, DetectionZone, Sensor, Workcell};
 use crate::geometry::polygon::contains;
 use crate::geometry::segment_cuboid::segment_cuboid;
 use crate::geometry::{Cuboid, Vec3};
@@ -145,14 +145,14 @@ pub struct Seen {
 #[must_use]
 pub fn sees(sensor: &Sensor, seen: &Seen) -> bool {
     match &sensor.zone {
-        Zone::Mat(polygon) | Zone::Field(polygon) => {
+        DetectionZone::Floor(polygon) => {
             let besides = seen.besides.iter().flatten();
             seen.feet.iter().chain(besides).any(|f| contains(polygon, [f.x, f.y]))
         }
-        Zone::Curtain(plane) | Zone::Door(plane) => seen.body.as_ref().is_some_and(|body| breaks(body, plane)),
+        DetectionZone::Plane(plane) => seen.body.as_ref().is_some_and(|body| breaks(body, plane)),
         // Both feet: who has one outside leans away, and the hands may be anywhere.
-        Zone::TwoHand { post, .. } => !seen.feet.iter().all(|f| contains(post, [f.x, f.y])),
-        Zone::Reported => false,
+        DetectionZone::Post { post, .. } => !seen.feet.iter().all(|f| contains(post, [f.x, f.y])),
+        DetectionZone::InFmu => false,
     }
 }
 

@@ -3,7 +3,7 @@
 
 use super::trials::Kind;
 use super::{AROUND_M, LONGEST_TOLD_S, Looking, Tell, Told, Until, coarse, two_hand};
-use crate::cell::{Workcell, Zone};
+use crate::cell::Workcell;
 use crate::host::{Hosted, PlantError, Policy};
 use crate::human::{Action, Posture, Start, Walk};
 use crate::obligations::{Need, Point};
@@ -154,7 +154,7 @@ impl<'a> Looking<'a> {
     pub(super) fn kinds(&self, search: &Search<'_>, told: Option<&ToldPeople>, first: &[bool]) -> Option<Vec<Kind>> {
         let sensors = &self.prepared.cell.sensors;
         let people = |readings: &[bool]| match told {
-            Some(told) => told.people(readings, |sensor| matches!(sensors[sensor].zone, Zone::Reported)).collect(),
+            Some(told) => told.people(readings, |sensor| sensors[sensor].zone.is_in_fmu()).collect(),
             None => vec![Stance::default()],
         };
         let mut all = search.readings()?;

@@ -6,9 +6,9 @@ use super::Effort;
 use super::keys::keys;
 use crate::cell::binding::{Binding, SensorBinding};
 use crate::cell::file::format::SearchTable;
-use crate::cell::workcell::{
-    Beginning, Clamping, Control, Link, Obstacle, Placing, Robot, SecondPerson, Sensor, Workcell, Zone,
-};
+use crate::cell::sensor::kind::Unseen;
+use crate::cell::sensor::{DetectionZone, Placing, Sensor};
+use crate::cell::workcell::{Beginning, Clamping, Control, Link, Obstacle, Robot, SecondPerson, Workcell};
 use crate::hazard::criterion::separation::Separation;
 use crate::hazard::{Criteria, Criterion};
 use crate::human::{ControlKind, ControlledBy};
@@ -100,7 +100,7 @@ impl Fields {
             worked: controls.iter().filter(|one| control(one)).count() > 0,
             doors: !cell.doors().is_none(),
             pose: !pose.is_empty(),
-            reported: sensors.iter().any(|sensor| matches!(sensor.zone, Zone::Reported)),
+            reported: sensors.iter().any(|sensor| sensor.zone.is_in_fmu()),
             also: repertoire.abilities().iter().map(|ability| ability.words()).collect(),
             by_approach: approaches(criteria),
             by_others: others(cell, criteria, clamping, separation.as_ref()),
@@ -120,21 +120,22 @@ impl Fields {
     /// Whether it is a two-hand control.
     fn sensor(
         &mut self,
-        Sensor { name, zone, signal: _, delay_steps: _, latched: _ }: &Sensor,
+        Sensor { name, kind, zone, signal: _, delay_steps: _, latched: _ }: &Sensor,
         placing: &Placing,
     ) -> bool {
-        // How a door opens and what is added to a distance are for the distance alone, and so is a field's height: nobody is low.
-        let Placing { detection, height_m: _, opening: _, supplement_m: _ } = placing;
-        match zone {
-            Zone::Mat(_) | Zone::Field(_) | Zone::Door(_) | Zone::Reported => false,
-            Zone::TwoHand { .. } => true,
-            Zone::Curtain(_) => {
-                let says = detection.beams.is_some() || detection.resolution_m.is_some();
-                if says && !detection.is_fine() {
-                    self.coarse.push(name.clone());
-                }
-                false
+        // How finely one sees and how high it is, its kind is asked. How a door opens, the line of buttons and what is added to a distance
+        // are for the distance alone.
+        let Placing { detection: _, height_m: _, line_m: _, opening: _, supplement_m: _ } = placing;
+        for unseen in kind.unseen(placing) {
+            match unseen {
+                Unseen::HandsThrough => self.coarse.push(name.clone()),
+                // Nobody is low.
+                Unseen::LowBelow => {}
             }
+        }
+        match zone {
+            DetectionZone::Floor(_) | DetectionZone::Plane(_) | DetectionZone::InFmu => false,
+            DetectionZone::Post { .. } => true,
         }
     }
 

@@ -3,8 +3,8 @@
 //! them is taken apart in `fields`.
 
 use crate::cell::file::format::{
-    CellFile, ControlTable, CriteriaTable, EvaluatedTable, HumanTable, ObstacleTable, People, SecondTable, SensorKind,
-    SensorTable, StartAreaTable, StartTable, ZoneTable,
+    CellFile, ControlTable, CriteriaTable, EvaluatedTable, HumanTable, ObstacleTable, People, SecondTable, SensorTable,
+    StartAreaTable, StartTable, ZoneTable,
 };
 
 /// All of them.
@@ -64,7 +64,8 @@ fn obstacle(
 fn sensor(table: &SensorTable) {
     let SensorTable {
         name: _,
-        kind,
+        // What people do unseen by one is asked in `fields`.
+        kind: _,
         zone,
         variable: _,
         active: _,
@@ -83,14 +84,6 @@ fn sensor(table: &SensorTable) {
         opening_ms: _,
         supplement_mm: _,
     } = table;
-    match kind {
-        SensorKind::Mat
-        | SensorKind::ScannerField
-        | SensorKind::LightCurtain
-        | SensorKind::InterlockedDoor
-        | SensorKind::TwoHandControl
-        | SensorKind::Reported => {}
-    }
     if let Some(zone) = zone {
         // Nobody is low.
         let ZoneTable { polygon_m: _, line_m: _, height_m: _, heights_m: _ } = zone.get_ref();

@@ -2,7 +2,6 @@
 //! again at many moments. What came out the same was tried out, and is no more than that.
 
 use super::{Looking, Tell, Told};
-use crate::cell::Zone;
 use crate::host::{Hosted, PlantError};
 use crate::obligations::{Assumption, Need};
 use crate::reachability::told::{Asking, Stance, Told as ToldPeople};
@@ -70,7 +69,7 @@ impl Looking<'_> {
     /// Sensors inside the FMU, by number.
     fn inside(&self) -> impl Iterator<Item = usize> + use<> {
         let sensors = self.prepared.cell.sensors.iter().enumerate();
-        let inside = sensors.filter(|(_, sensor)| matches!(sensor.zone, Zone::Reported)).map(|(number, _)| number);
+        let inside = sensors.filter(|(_, sensor)| sensor.zone.is_in_fmu()).map(|(number, _)| number);
         inside.collect::<Vec<_>>().into_iter()
     }
 

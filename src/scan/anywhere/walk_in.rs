@@ -3,7 +3,7 @@
 
 use std::f64::consts::{FRAC_PI_4, TAU};
 
-use crate::cell::{Workcell, Zone};
+use crate::cell::Workcell;
 use crate::hazard::Finding;
 use crate::human::{Action, Posture, Start, Walk};
 use crate::reachability::{Anywhere, Harm, History, Seen, known};
@@ -156,9 +156,7 @@ pub(super) fn shown_by(prepared: &Prepared, way: &WalkIn, readings: Option<&[boo
         let Some(readings) = readings else { return true };
         let sensors = prepared.cell.sensors.iter().zip(finding.sensors.iter().zip(readings));
         finding.through.is_empty()
-            && sensors
-                .into_iter()
-                .all(|(sensor, (told, reading))| told == reading || matches!(sensor.zone, Zone::Reported))
+            && sensors.into_iter().all(|(sensor, (told, reading))| told == reading || sensor.zone.is_in_fmu())
     };
     findings.into_iter().find(as_told)
 }

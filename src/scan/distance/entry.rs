@@ -5,7 +5,6 @@ use crate::cell::Workcell;
 use crate::geometry::polygon::{contains, distance_to_edge};
 use crate::geometry::{Cuboid, Vec3};
 use crate::human::{Arrangement, Floor};
-use crate::standards::iso_13855::MAT_DEPTH_M;
 use crate::stop::Stop;
 
 /// Longest piece of an edge that is looked at as one, m.
@@ -27,8 +26,14 @@ pub(super) struct Entrances {
 }
 
 impl Entrances {
-    /// Of a polygon among those that tell the same.
-    pub(super) fn new(cell: &Workcell, together: &[&[[f64; 2]]], polygon: &[[f64; 2]], stop: &Stop) -> Option<Self> {
+    /// Of a polygon among those that tell the same, which has to be so deep not to be stepped over, if that matters.
+    pub(super) fn new(
+        cell: &Workcell,
+        together: &[&[[f64; 2]]],
+        polygon: &[[f64; 2]],
+        least_depth_m: Option<f64>,
+        stop: &Stop,
+    ) -> Option<Self> {
         let seen = |at: [f64; 2]| together.iter().any(|polygon| contains(polygon, at));
         let floor = outside(cell, together, &seen, stop)?;
         let foot_m = {
@@ -62,20 +67,23 @@ impl Entrances {
                 entrances.pieces.push(piece);
                 let side = if one { -1.0 } else { 1.0 };
                 let inwards = across.map(|component| side * component);
-                entrances.stepped_over_m = [entrances.stepped_over_m, depth_m(middle, inwards, &seen, &floor)]
-                    .into_iter()
-                    .flatten()
-                    .reduce(f64::min);
+                let depth_m = least_depth_m.and_then(|least_m| depth_m((middle, inwards), least_m, &seen, &floor));
+                entrances.stepped_over_m = [entrances.stepped_over_m, depth_m].into_iter().flatten().reduce(f64::min);
             }
         }
         Some(entrances)
     }
 }
 
-/// How deep it is from a point of the edge inwards, m, if it is not as deep as a mat has to be and there is floor behind it.
-fn depth_m(edge: [f64; 2], inwards: [f64; 2], seen: &dyn Fn([f64; 2]) -> bool, floor: &Floor) -> Option<f64> {
-    #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "75")]
-    let steps = (MAT_DEPTH_M / ACROSS_M).floor() as u32;
+/// How deep it is from a point of the edge inwards, m, if it is not as deep as it has to be and there is floor behind it.
+fn depth_m(
+    (edge, inwards): ([f64; 2], [f64; 2]),
+    least_m: f64,
+    seen: &dyn Fn([f64; 2]) -> bool,
+    floor: &Floor,
+) -> Option<f64> {
+    #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "some hundred at most")]
+    let steps = (least_m / ACROSS_M).floor() as u32;
     let at = |n: u32| {
         let far = f64::from(n) * ACROSS_M + 1e-6;
         [edge[0] + far * inwards[0], edge[1] + far * inwards[1]]
@@ -126,6 +134,9 @@ mod tests {
     use super::*;
     use crate::cell::error::Source;
 
+    /// As deep as a mat has to be.
+    const DEEP: Option<f64> = Some(crate::standards::iso_13855::MAT_DEPTH_M);
+
     /// A cell with a mat and fences, from its text.
     fn cell(mats: &str, more: &str) -> Workcell {
         let text = format!(
@@ -157,23 +168,26 @@ mod tests {
         let left = fence("left", "[-1, 0.1, 1]", "[0.02, 3.8, 2]");
         let right = fence("right", "[1, 0.1, 1]", "[0.02, 3.8, 2]");
         let back = fence("back", "[0, 2, 1]", "[2.02, 0.02, 2]");
-        let all = Entrances::new(&cell("", ""), &[&MAT], &MAT, &Stop::default()).unwrap();
+        let all = Entrances::new(&cell("", ""), &[&MAT], &MAT, DEEP, &Stop::default()).unwrap();
         assert!(all.pieces.len() == 2 * (100 + 190) && all.stepped_over_m.is_none());
-        let open = Entrances::new(&cell(&format!("{left}{right}{back}"), ""), &[&MAT], &MAT, &Stop::default()).unwrap();
+        let open =
+            Entrances::new(&cell(&format!("{left}{right}{back}"), ""), &[&MAT], &MAT, DEEP, &Stop::default()).unwrap();
         let [from, to, low, high] = spans(&open);
         assert!(from > -1.01 && to < 1.01 && low < -1.79, "{:?}", spans(&open));
         // Around the ends of the fences a foot may come to the corners only.
         assert!(high < -1.6, "{high}");
         // Without the back, from there as well; with floor in front only, not.
-        let open = Entrances::new(&cell(&format!("{left}{right}"), ""), &[&MAT], &MAT, &Stop::default()).unwrap();
+        let open = Entrances::new(&cell(&format!("{left}{right}"), ""), &[&MAT], &MAT, DEEP, &Stop::default()).unwrap();
         assert!(spans(&open)[3] > 1.99);
         let floor = "floor_m = [[-3, -4], [3, -4], [3, -1.5], [-3, -1.5]]";
-        let open = Entrances::new(&cell(&format!("{left}{right}"), floor), &[&MAT], &MAT, &Stop::default()).unwrap();
+        let open =
+            Entrances::new(&cell(&format!("{left}{right}"), floor), &[&MAT], &MAT, DEEP, &Stop::default()).unwrap();
         assert!(spans(&open)[3] < -1.5 + 0.2, "{:?}", spans(&open));
         // All around closed.
         let front = fence("front", "[0, -1.8, 1]", "[2.02, 0.02, 2]");
         let none =
-            Entrances::new(&cell(&format!("{left}{right}{back}{front}"), ""), &[&MAT], &MAT, &Stop::default()).unwrap();
+            Entrances::new(&cell(&format!("{left}{right}{back}{front}"), ""), &[&MAT], &MAT, DEEP, &Stop::default())
+                .unwrap();
         assert!(none.pieces.is_empty());
     }
 
@@ -183,7 +197,8 @@ mod tests {
             [[-1.0, -1.8], [1.0, -1.8], [1.0, -1.3], [-1.0, -1.3]],
             [[-1.0, -1.3], [1.0, -1.3], [1.0, -0.7], [-1.0, -0.7]],
         );
-        let of = |together: &[&[[f64; 2]]]| Entrances::new(&cell("", ""), together, &front, &Stop::default()).unwrap();
+        let of =
+            |together: &[&[[f64; 2]]]| Entrances::new(&cell("", ""), together, &front, DEEP, &Stop::default()).unwrap();
         let alone = of(&[&front]);
         // From in front, from both sides and from behind: 0.5 m.
         assert!((alone.stepped_over_m.unwrap() - 0.5).abs() < 0.011, "{:?}", alone.stepped_over_m);

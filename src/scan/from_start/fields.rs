@@ -4,9 +4,9 @@
 
 use super::keys::keys;
 use crate::cell::file::format::SearchTable;
-use crate::cell::workcell::{
-    Beginning, Clamping, Control, Link, Obstacle, Placing, Robot, SecondPerson, Sensor, Workcell, Zone,
-};
+use crate::cell::sensor::kind::Unseen;
+use crate::cell::sensor::{DetectionZone, Placing, Sensor};
+use crate::cell::workcell::{Beginning, Clamping, Control, Link, Obstacle, Robot, SecondPerson, Workcell};
 use crate::geometry::segment_cuboid::segment_cuboid;
 use crate::geometry::{Cuboid, Vec3};
 use crate::hazard::Criteria;
@@ -114,31 +114,27 @@ impl Fields {
 
     fn sensor(
         &mut self,
-        Sensor { name, zone, signal: _, delay_steps: _, latched: _ }: &Sensor,
+        Sensor { name, kind, zone, signal: _, delay_steps: _, latched: _ }: &Sensor,
         placing: &Placing,
         low: bool,
     ) {
-        // How a door opens and what is added to a distance are for the distance alone: the search has the door open at once.
-        let Placing { detection, height_m, opening: _, supplement_m: _ } = placing;
+        // How finely one sees and how high it is, its kind is asked. How a door opens, the line of buttons and what is added to a distance
+        // are for the distance alone: the search has the door open at once.
+        let Placing { detection: _, height_m: _, line_m: _, opening: _, supplement_m: _ } = placing;
         match zone {
-            Zone::Mat(_) | Zone::Door(_) | Zone::TwoHand { .. } | Zone::Reported => {}
-            Zone::Field(_) => {
-                if low && *height_m > UNDER_M {
-                    self.above.push(name.clone());
-                }
-            }
-            Zone::Curtain(_) => {
-                let says = detection.beams.is_some() || detection.resolution_m.is_some();
-                if says && !detection.is_fine() {
-                    self.coarse.push(name.clone());
-                }
+            // Looked at in every sequence, each as it detects people.
+            DetectionZone::Floor(_) | DetectionZone::Plane(_) | DetectionZone::Post { .. } | DetectionZone::InFmu => {}
+        }
+        for unseen in kind.unseen(placing) {
+            match unseen {
+                Unseen::HandsThrough => self.coarse.push(name.clone()),
+                Unseen::LowBelow if low => self.above.push(name.clone()),
+                // Nobody is low.
+                Unseen::LowBelow => {}
             }
         }
     }
 }
-
-/// Fields higher than this above the floor may be crawled under, m (ISO 13855:2010, 6.3).
-const UNDER_M: f64 = 0.3;
 
 /// Where it stands, how it moves and how heavy it is, is looked at as it is.
 fn robot(Robot { name: _, world_from_base: _, kinematics: _, moving_mass_kg: _, mass_place: _ }: &Robot) {}

@@ -8,8 +8,8 @@ use schemars::JsonSchema;
 use serde::Serialize;
 
 use crate::cell::binding::SensorBinding;
-use crate::cell::workcell::Signal;
-use crate::cell::{Binding, Workcell, Zone};
+use crate::cell::sensor::Signal;
+use crate::cell::{Binding, Workcell};
 use crate::geometry::Vec3;
 use crate::host::{Plant, PlantError};
 use crate::human::Presses;
@@ -206,11 +206,11 @@ pub(super) fn starts_seen(prepared: &Prepared, idle_rows: &[f64]) -> Vec<String>
         };
         let readings = world.readings_at_start();
         let by: Vec<String> = (0..cell.sensors.len())
-            .filter(|&sensor| match (&cell.sensors[sensor].zone, &prepared.binding.sensors[sensor]) {
+            .filter(|&sensor| match &prepared.binding.sensors[sensor] {
                 // Who begins elsewhere has not let go of anything.
-                (Zone::TwoHand { .. }, _) => false,
-                (_, SensorBinding::Input(_)) => readings[sensor],
-                (_, bound) => {
+                _ if cell.sensors[sensor].zone.is_post() => false,
+                SensorBinding::Input(_) => readings[sensor],
+                bound => {
                     // Some steps on, where the person of this run still stands.
                     let row = idle_rows.chunks(prepared.binding.outputs.len()).nth(cell.steps_per_action * 2);
                     let says = |row: &[f64]| bound.reports(row, cell.sensors[sensor].signal);

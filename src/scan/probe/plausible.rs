@@ -6,8 +6,8 @@
 mod angles;
 
 use self::angles::Turned;
+use crate::cell::Workcell;
 use crate::cell::binding::MotionBinding;
-use crate::cell::{Workcell, Zone};
 use crate::fmi::number;
 use crate::geometry::polygon::{apart, convex_outline};
 use crate::geometry::segment_cuboid::segment_hits_cuboid;
@@ -218,7 +218,7 @@ impl<'a> Seen<'a> {
         let walk_m = WALKING_SPEED_M_S * ACTION_S * f64::from(cell.search.actions) + BODY_M;
         let mut told = Vec::new();
         for sensor in &cell.sensors {
-            let (Zone::Mat(polygon) | Zone::Field(polygon)) = &sensor.zone else { continue };
+            let Some(polygon) = sensor.zone.stepped_on() else { continue };
             let name = &sensor.name;
             if let Some(floor) = cell.floor.as_deref().filter(|floor| apart(floor, polygon) > BODY_M) {
                 let away = apart(floor, polygon);

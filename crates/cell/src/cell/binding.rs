@@ -18,12 +18,11 @@ use toml::Spanned;
 use self::lookup::Quantity;
 use super::error::{Problems, Source};
 use super::file::format::{
-    CellFile, ControlTable, Literal, MovesTable, ObstacleTable, ParameterLimits, SensorKind, SensorTable, ValuesTable,
-    WhileTable,
+    CellFile, ControlTable, Literal, MovesTable, ObstacleTable, ParameterLimits, SensorTable, ValuesTable, WhileTable,
 };
 use super::file::signal;
 use super::foreign::ssp::Wiring;
-use super::workcell::Signal;
+use super::sensor::Signal;
 use super::{CellError, Workcell};
 use crate::fmi::{Causality, FmiVersion, Fmu, ModelDescription, Variable, VariableType};
 use crate::host::port::PortKind;
@@ -506,7 +505,7 @@ impl<'a> Binder<'a> {
 
     /// Where a sensor's reading goes to or comes from; a new input joins `inputs`.
     fn sensor(&mut self, sensor: &SensorTable, inputs: &mut Vec<UnitPort>) -> Result<SensorBinding, Box<CellError>> {
-        if sensor.kind == SensorKind::Reported {
+        if sensor.kind.is_in_fmu() {
             let Some(values) = &sensor.values else {
                 return Ok(SensorBinding::Output(self.whole_number(&sensor.variable, "a reported sensor")?));
             };

@@ -14,6 +14,8 @@ use std::fmt::Write as _;
 
 use self::interface::Interface;
 use self::roles::{Guess, Role, words};
+use super::sensor::kind::{Proposed, Recognised};
+use super::sensor::{KINDS, SensorKind, mat, reported};
 use crate::fmi::Causality;
 use crate::geometry::kinematics::Motion;
 
@@ -328,14 +330,14 @@ fn sensors(out: &mut Out, interface: &Interface<'_>) {
     for guess in roles {
         let kind = match &guess.role {
             Role::SensorInput { .. } | Role::SensorNumber { .. } => kind(&guess.variable, interface),
-            Role::SensorOutput { .. } => Kind::Seeing("reported", 0.9),
+            Role::SensorOutput { .. } => Kind::Seeing(reported::KIND, 0.9),
             _ => continue,
         };
         let Kind::Seeing(kind, sure) = kind else { continue };
         out.line("");
         out.line("[[sensor]]");
         out.line(&format!("name = {}", quoted(&guess.variable)));
-        out.guessed(&format!("kind = \"{kind}\""), guess.confidence.min(sure));
+        out.guessed(&format!("kind = \"{}\"", kind.key()), guess.confidence.min(sure));
         out.guessed(&format!("variable = {}", quoted(&guess.variable)), guess.confidence);
         match &guess.role {
             Role::SensorNumber { clear: Some(clear), detected: Some(detected) } => {
@@ -360,14 +362,8 @@ fn sensors(out: &mut Out, interface: &Interface<'_>) {
                 "# active = false {TODO} its value while a person is detected; `fmi-hazard inspect --run` tries it"
             )),
         }
-        match kind {
-            "reported" => {}
-            "light_curtain" => out.line(&format!(
-                "# zone = {{ line_m = [[-1, -1], [1, -1]], heights_m = [0, 1.8] }} {TODO} ends on the floor, heights"
-            )),
-            _ => out.line(&format!(
-                "# zone = {{ polygon_m = [[-1, -2], [1, -2], [1, -1], [-1, -1]] }} {TODO} corners on the floor"
-            )),
+        if let Some(Proposed { zone, to_do }) = kind.proposed() {
+            out.line(&format!("# zone = {zone} {TODO} {to_do}"));
         }
     }
     let human: Vec<&Guess> = roles.iter().filter(|guess| matches!(guess.role, Role::Human { .. })).collect();
@@ -388,8 +384,8 @@ fn sensors(out: &mut Out, interface: &Interface<'_>) {
 enum Kind {
     /// A door, a button and the like, which the person leaves alone.
     Held,
-    /// A presence-sensing device of this kind, and how much speaks for it at most.
-    Seeing(&'static str, f64),
+    /// A sensor of this kind, and how much speaks for it at most.
+    Seeing(SensorKind, f64),
 }
 
 /// The kind that the name of a signal says, else its description; a mat, which is as good as any, if neither does.
@@ -399,21 +395,21 @@ fn kind(variable: &str, interface: &Interface<'_>) -> Kind {
         let (_, variable) = interface.variables.iter().find(|(name, _)| name == variable)?;
         kind_by(&words(&variable.description))
     };
-    named.or_else(described).unwrap_or(Kind::Seeing("mat", 0.3))
+    named.or_else(described).unwrap_or(Kind::Seeing(mat::KIND, 0.3))
 }
 
 fn kind_by(words: &[String]) -> Option<Kind> {
     const SURE: f64 = 0.9;
     let has = |any: &[&str]| words.iter().any(|word| any.contains(&word.as_str()));
-    Some(match () {
-        () if has(&["guard", "door", "gate", "interlock", "estop", "emergency", "twohand"]) => Kind::Held,
-        () if has(&["curtain", "lightcurtain", "barrier", "aopd"]) => Kind::Seeing("light_curtain", SURE),
-        () if has(&["scanner", "laser", "lidar", "field", "zone", "area", "aopddr"]) => {
-            Kind::Seeing("scanner_field", SURE)
-        }
-        () if has(&["mat", "mats"]) => Kind::Seeing("mat", SURE),
-        () => return None,
-    })
+    let by_own_words = |kind: &SensorKind| match kind.recognised() {
+        Recognised::Held(words) => has(words).then_some(Kind::Held),
+        Recognised::Sensor(words) => has(words).then_some(Kind::Seeing(*kind, SURE)),
+        Recognised::Never => None,
+    };
+    if has(&["estop", "emergency"]) {
+        return Some(Kind::Held);
+    }
+    KINDS.iter().rev().find_map(by_own_words)
 }
 
 /// Inputs that are held as they are while nothing happens.

@@ -3,16 +3,17 @@
 
 mod parameter;
 mod room;
+mod zones;
 
 use toml::{Table, Value};
 
 use self::parameter::{Parameter, Quantity, Setting, parameters};
 use self::room::Room;
-use super::{Zone, binding::BoundUnit};
+use super::binding::BoundUnit;
+use super::sensor::mat;
 use crate::cell::file::format::ParameterLimits;
 use crate::cell::workcell::{Obstacle, Workcell};
 use crate::fmi;
-use crate::geometry::Vec3;
 use crate::geometry::polygon::widened;
 use crate::human::ControlledBy;
 
@@ -257,51 +258,7 @@ impl Knobs {
             self.add(turn, name, Room::new(STEP, room / per_m, FARTHEST, allowed));
         }
     }
-
-    fn sensors(&mut self, cell: &Workcell, encounter: &Encounter) {
-        let world_from_base = cell.robots[encounter.robot].world_from_base.translation;
-        for (number, sensor) in cell.sensors.iter().enumerate() {
-            let limits = cell.file().explain.sensor.get(&sensor.name).map(|limits| *limits.get_ref());
-            let limits = limits.unwrap_or_default();
-            let is_host_side = cell.file().sensors[number].evaluated.is_none();
-            let can_be = matches!(sensor.zone, Zone::Mat(_) | Zone::Field(_) | Zone::Curtain(_) | Zone::Door(_));
-            if can_be && is_host_side && !sensor.latched && !limits.fixed {
-                self.add(Turn::Latched { sensor: number }, &sensor.name, Room { steps: 1, ..Room::default() });
-            }
-            let own = |most: Option<f64>, now: f64| most.map(|most| (most - now, most_words(most, "m")));
-            let room = |allowed| Room::new(STEP, f64::INFINITY, FARTHEST, allowed);
-            match &sensor.zone {
-                _ if limits.fixed => self.hold(&sensor.name, FIXED),
-                // Moved in the cell file alone, it would not be where the FMU sees people.
-                _ if cell.file().sensors[number].evaluated.is_some() => self.hold(&sensor.name, EVALUATED),
-                Zone::Mat(_) | Zone::Field(_) => {
-                    self.add(Turn::Wider { sensor: number }, &sensor.name, room(own(limits.most_wider_m, 0.0)));
-                }
-                Zone::Curtain(plane) | Zone::Door(plane) => {
-                    let top = plane.centre.z + plane.half.z;
-                    self.add(Turn::HigherCurtain { sensor: number }, &sensor.name, room(own(limits.most_top_m, top)));
-                    if plane.centre.z > plane.half.z {
-                        let room = Room { steps: 1, ..Room::default() };
-                        self.add(Turn::DownToTheFloor { sensor: number }, &sensor.name, room);
-                    }
-                    let normal = plane.rotation * Vec3::Y;
-                    let side = if normal.dot(world_from_base - plane.centre) > 0.0 { -1.0 } else { 1.0 };
-                    let direction = [side * normal.x, side * normal.y];
-                    let behind = direction.map(|part: f64| -part);
-                    let turn = Turn::MatBehind { sensor: number, direction: behind };
-                    self.add(turn, &sensor.name, Room { steps: FARTHEST, ..Room::default() });
-                    let turn = Turn::FartherCurtain { sensor: number, direction };
-                    self.add(turn, &sensor.name, room(own(limits.most_farther_m, 0.0)));
-                }
-                // Its operator would have to move with it.
-                Zone::TwoHand { .. } | Zone::Reported => {}
-            }
-        }
-    }
 }
-
-/// Why a plane is left where it is.
-const EVALUATED: &str = "the FMU has it where it is";
 
 /// Why something is not turned one way.
 const SMALLER: &str = "the cell file says that it is never smaller";
@@ -484,7 +441,7 @@ fn mat_behind(plane: &Table, direction: [f64; 2], deep_m: f64) -> Option<Table> 
     let name = format!("mat behind {}", plane.get("name")?.as_str()?);
     let mut mat = Table::from_iter([
         ("name".to_owned(), name.into()),
-        ("kind".to_owned(), "mat".into()),
+        ("kind".to_owned(), mat::KIND.key().into()),
         ("zone".to_owned(), Value::Table(Table::from_iter([("polygon_m".to_owned(), Value::Array(corners))]))),
     ]);
     for key in ["variable", "active", "delay_ms"] {

@@ -3,6 +3,7 @@
 //!
 //! - [`file`](mod@file): the cell file, from its text to a [`Workcell`]
 //! - [`workcell`]: the cell as it is understood, in SI units
+//! - [`sensor`]: what sensors are, one file a kind
 //! - [`foreign`]: robots, shapes and systems in the formats of others: URDF, meshes, SSP
 //! - [`binding`]: names of the cell file to variables of the FMU, with units and types checked
 //! - [`find`]: where the cell of an FMU is looked for
@@ -22,12 +23,14 @@ pub mod foreign;
 mod hash;
 pub mod knob;
 pub mod looks;
+pub mod sensor;
 pub mod workcell;
 
 pub use binding::Binding;
 pub use error::CellError;
 pub use hash::sha256;
-pub use workcell::{Control, Sensor, Workcell, Zone};
+pub use sensor::{DetectionZone, Sensor};
+pub use workcell::{Control, Workcell};
 
 /// Folder inside an FMU that belongs to this tool (FMI 2.0.2 and later reserve `extra/` for such use).
 pub const EXTRA_FOLDER: &str = "extra/io.github.fmi-hazard";

@@ -7,7 +7,7 @@ use toml::Spanned;
 
 use super::file::format::{CellFile, PeopleFrom, PoseQuantity, SearchTable, StartTable};
 use super::following::Following;
-use crate::fmi::number;
+use super::sensor::{Placing, Sensor};
 use crate::geometry::kinematics::KinematicTree;
 use crate::geometry::{Capsule, Cuboid, Masses, Pose, Solid, Vec3};
 use crate::hazard::Criteria;
@@ -17,7 +17,6 @@ use crate::human::arm::ArmModel;
 use crate::human::floor::Floor;
 use crate::human::{Arrangement, Body, ControlKind, ControlledBy, Presses, Repertoire, Start, Who};
 use crate::obligations::Acceptance;
-use crate::standards::iso_13855::{Detection, Opening};
 use crate::stop::Stop;
 
 /// The leaf of an open door is so deep in the ground, m.
@@ -291,80 +290,6 @@ pub struct Look {
     pub pose: Pose,
 }
 
-/// What the FMU variable of a sensor says.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub enum Signal {
-    /// True or false: this while somebody is detected.
-    Boolean {
-        /// Its value while somebody is detected.
-        active: bool,
-    },
-    /// A number: one of two.
-    Number {
-        /// While nobody is detected.
-        clear: f64,
-        /// While somebody is.
-        detected: f64,
-    },
-}
-
-impl Signal {
-    /// Its value, as numbers travel, while somebody is `detected` or not.
-    #[must_use]
-    pub fn value(self, detected: bool) -> f64 {
-        match self {
-            Self::Boolean { active } => f64::from(u8::from(detected == active)),
-            Self::Number { detected: value, .. } if detected => value,
-            Self::Number { clear, .. } => clear,
-        }
-    }
-
-    /// Whether a value says that somebody is detected. Of a number, all but the one that says that nobody is.
-    #[must_use]
-    pub(crate) fn detects(self, value: f64) -> bool {
-        match self {
-            Self::Boolean { active } => (value != 0.0) == active,
-            Self::Number { clear, .. } => value.partial_cmp(&clear) != Some(std::cmp::Ordering::Equal),
-        }
-    }
-
-    /// The keys of a cell file in which it is the other way round.
-    #[must_use]
-    pub fn turned(self) -> String {
-        match self {
-            Self::Boolean { active } => format!("active = {}", !active),
-            Self::Number { clear, detected } => {
-                format!("values = {{ clear = {}, detected = {} }}", number(detected), number(clear))
-            }
-        }
-    }
-}
-
-/// Its value while somebody is detected.
-impl std::fmt::Display for Signal {
-    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
-        match self {
-            Self::Boolean { active } => write!(f, "{active}"),
-            Self::Number { detected, .. } => f.write_str(&number(*detected)),
-        }
-    }
-}
-
-/// A sensor.
-#[derive(Clone, Debug, PartialEq)]
-pub struct Sensor {
-    /// Name used in results.
-    pub name: String,
-    /// Where it sees.
-    pub zone: Zone,
-    /// What its FMU variable says.
-    pub signal: Signal,
-    /// Response time in whole steps.
-    pub delay_steps: usize,
-    /// Whether the host holds the FMU's input once the sensor has told of somebody.
-    pub latched: bool,
-}
-
 /// Something that people work.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Control {
@@ -380,53 +305,6 @@ pub struct Control {
     pub steps: usize,
     /// Whether it opens a door and closes it again.
     pub door: bool,
-}
-
-/// What the cell file says of a safeguard for its safety distance alone.
-#[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub struct Placing {
-    /// How finely a light curtain or a field sees.
-    pub detection: Detection,
-    /// Height of a field above the floor, m.
-    pub height_m: f64,
-    /// How a door opens.
-    pub opening: Opening,
-    /// Supplement to the distance, m.
-    pub supplement_m: f64,
-}
-
-/// Where a sensor sees.
-#[derive(Clone, Debug, PartialEq)]
-pub enum Zone {
-    /// A polygon on the floor, m, that feet stand on.
-    Mat(Vec<[f64; 2]>),
-    /// A polygon on the floor, m, above which legs stand.
-    Field(Vec<[f64; 2]>),
-    /// The upright plane of a light curtain, as a box without thickness.
-    Curtain(Cuboid),
-    /// The upright plane of a guard door, likewise.
-    Door(Cuboid),
-    /// A two-hand control.
-    TwoHand {
-        /// Polygon on the floor, m, in which its operator's feet are.
-        post: Vec<[f64; 2]>,
-        /// The upright plane through the buttons, which no hand passes that holds them.
-        plane: Cuboid,
-    },
-    /// Inside the FMU.
-    Reported,
-}
-
-impl Zone {
-    /// The plane that arms do not pass unseen, and for a two-hand control, where its operator stands.
-    #[must_use]
-    pub fn plane(&self) -> Option<(&Cuboid, Option<&[[f64; 2]]>)> {
-        match self {
-            Self::Curtain(plane) | Self::Door(plane) => Some((plane, None)),
-            Self::TwoHand { post, plane } => Some((plane, Some(post))),
-            Self::Mat(_) | Self::Field(_) | Self::Reported => None,
-        }
-    }
 }
 
 impl Workcell {

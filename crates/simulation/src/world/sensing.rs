@@ -4,7 +4,7 @@ use std::ops::Range;
 
 use super::{Occupant, Worked, World};
 use crate::cell::binding::SensorBinding;
-use crate::cell::{Sensor, Zone};
+use crate::cell::{DetectionZone, Sensor};
 use crate::curtain::Curtain;
 use crate::geometry::Vec3;
 use crate::geometry::segment_cuboid::point_cuboid;
@@ -235,8 +235,10 @@ impl Occupant {
 const fn told(sensor: &Sensor, line: &mut DelayLine, [raw, unknown]: [bool; 2], by_arm: bool) -> bool {
     match sensor.zone {
         // Hands that are back on it were never away.
-        Zone::TwoHand { .. } => line.push_anew(raw || by_arm, sensor.delay_steps),
-        _ => line.push_apart(unknown || by_arm, raw, sensor.delay_steps),
+        DetectionZone::Post { .. } => line.push_anew(raw || by_arm, sensor.delay_steps),
+        DetectionZone::Floor(_) | DetectionZone::Plane(_) | DetectionZone::InFmu => {
+            line.push_apart(unknown || by_arm, raw, sensor.delay_steps)
+        }
     }
 }
 

@@ -11,6 +11,7 @@ use std::collections::BTreeMap;
 
 use serde::Serialize;
 
+use crate::cell::sensor::KINDS;
 use crate::fmi::{Causality, ModelDescription, Variability, Variable, VariableType};
 
 /// What a variable is for.
@@ -194,6 +195,16 @@ impl Candidate<'_> {
         self.about.iter().any(|word| any.contains(&word.as_str()))
     }
 
+    /// Whether its name says that it is a safety signal.
+    fn is_safety_signal(&self) -> bool {
+        self.words.iter().any(|word| is_of_safety(word))
+    }
+
+    /// Whether its description does.
+    fn is_about_safety(&self) -> bool {
+        self.about.iter().any(|word| is_of_safety(word))
+    }
+
     fn is_real(&self) -> bool {
         matches!(self.variable.kind, VariableType::Real { .. })
     }
@@ -253,34 +264,8 @@ fn is_number(word: &str) -> bool {
     word.bytes().all(|b| b.is_ascii_digit())
 }
 
-const SENSORS: [&str; 26] = [
-    "mat",
-    "mats",
-    "curtain",
-    "lightcurtain",
-    "barrier",
-    "scanner",
-    "laser",
-    "lidar",
-    "field",
-    "zone",
-    "area",
-    "espe",
-    "pse",
-    "aopd",
-    "aopddr",
-    "ossd",
-    "guard",
-    "door",
-    "gate",
-    "interlock",
-    "presence",
-    "estop",
-    "emergency",
-    "twohand",
-    "bumper",
-    "safety",
-];
+/// Words of safety signals besides those of a kind of sensor.
+const SAFETY: [&str; 8] = ["espe", "pse", "ossd", "presence", "estop", "emergency", "bumper", "safety"];
 const DETECTED: [&str; 12] = [
     "occupied",
     "detected",
@@ -302,6 +287,11 @@ const PHASES: [&str; 10] =
     ["leg", "phase", "mode", "segment", "programme", "program", "task", "sequence", "step", "waypoint"];
 const LOADS: [&str; 6] = ["payload", "load", "flangeload", "mass", "workpiece", "toolmass"];
 
+/// Whether a word is one of safety signals.
+fn is_of_safety(word: &str) -> bool {
+    SAFETY.contains(&word) || KINDS.iter().any(|kind| kind.recognised().words().contains(&word))
+}
+
 /// What a variable is by itself.
 fn alone(candidate: &Candidate<'_>) -> Option<(Role, f64)> {
     let boolean = matches!(candidate.variable.kind, VariableType::Boolean { .. });
@@ -310,7 +300,7 @@ fn alone(candidate: &Candidate<'_>) -> Option<(Role, f64)> {
         Causality::Input if candidate.is_real() => human(candidate).or_else(|| safety_number(candidate)),
         Causality::Input if boolean => Some(safety_input(candidate)),
         Causality::Input if whole => safety_number(candidate).or(Some((Role::Constant, 0.3))),
-        Causality::Output | Causality::Local if boolean && candidate.has(&SENSORS) && candidate.has(&DETECTED) => {
+        Causality::Output | Causality::Local if boolean && candidate.is_safety_signal() && candidate.has(&DETECTED) => {
             Some((Role::SensorOutput { active: polarity(candidate) }, 0.8))
         }
         Causality::Output | Causality::Local if (boolean || whole) && candidate.has(&PHASES) => {
@@ -337,10 +327,10 @@ fn output(candidate: &Candidate<'_>) -> Option<(Role, f64)> {
 fn safety_input(candidate: &Candidate<'_>) -> (Role, f64) {
     // PLCopen's safety blocks call every safe input S_...
     let plcopen = candidate.words.first().is_some_and(|word| word == "s") || candidate.name.contains(".S_");
-    if candidate.has(&CONSTANTS) && !candidate.has(&SENSORS) && !plcopen {
+    if candidate.has(&CONSTANTS) && !candidate.is_safety_signal() && !plcopen {
         return (Role::Constant, 0.8);
     }
-    let (named, described) = (candidate.has(&SENSORS), candidate.is_about(&SENSORS));
+    let (named, described) = (candidate.is_safety_signal(), candidate.is_about_safety());
     let confidence = match (plcopen, named, described) {
         (true, true, _) | (_, true, true) => 0.93,
         (true, ..) => 0.85,
@@ -358,7 +348,7 @@ fn safety_input(candidate: &Candidate<'_>) -> (Role, f64) {
 /// Inputs for safety signals that are numbers: what their description says of the values.
 fn safety_number(candidate: &Candidate<'_>) -> Option<(Role, f64)> {
     let unit = !candidate.unit.is_empty() && candidate.unit != "1";
-    if unit || !(candidate.has(&SENSORS) || candidate.is_about(&SENSORS)) {
+    if unit || !(candidate.is_safety_signal() || candidate.is_about_safety()) {
         return None;
     }
     let values = numbered(&candidate.variable.description);

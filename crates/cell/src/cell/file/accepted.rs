@@ -6,7 +6,8 @@ use super::checker::Checker;
 use super::format::{AcceptTable, Acceptable, CellFile};
 use crate::cell::CellError;
 use crate::cell::error::Source;
-use crate::cell::workcell::{Clamping, Control, Robot, Sensor, Zone};
+use crate::cell::sensor::Sensor;
+use crate::cell::workcell::{Clamping, Control, Robot};
 use crate::human::ControlledBy;
 use crate::obligations::{Acceptance, Assumption, readings as named};
 
@@ -112,7 +113,7 @@ fn assumption(
         }
         Acceptable::SensorSeesAlike => {
             let outside = || {
-                let inside = |one: &&Sensor| one.name == sensor && matches!(one.zone, Zone::Reported);
+                let inside = |one: &&Sensor| one.name == sensor && one.zone.is_in_fmu();
                 (sensors.iter().filter(inside).count() == 0).then(|| format!("`{sensor}` is not inside the FMU"))
             };
             let why_not = no_sensor().or_else(outside);

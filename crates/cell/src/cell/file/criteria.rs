@@ -6,9 +6,7 @@ use std::ops::Range;
 use toml::Spanned;
 
 use super::checker::Checker;
-use super::format::{
-    CellFile, ContactTable, Literal, OnOrClamping, OnOrMoving, SensorKind, SeparationTable, SpeedOrOff,
-};
+use super::format::{CellFile, ContactTable, Literal, OnOrClamping, OnOrMoving, SeparationTable, SpeedOrOff};
 use crate::cell::CellError;
 use crate::cell::error::nearest;
 use crate::cell::workcell::{Clamping, Link};
@@ -103,7 +101,7 @@ impl Checker<'_> {
             (Some(name), [None, None, None]) => {
                 match file.sensors.iter().find(|sensor| sensor.name == *name) {
                     None => self.named_input(file, name, &span, "what stops the robots")?,
-                    Some(sensor) => self.that(sensor.kind != SensorKind::Reported, span.clone(), || {
+                    Some(sensor) => self.that(!sensor.kind.is_in_fmu(), span.clone(), || {
                         let message = format!("`{name}` is a sensor inside the FMU, and no input that could be set");
                         (message, "name the FMU input that stops the robots, or state how they stop".to_owned())
                     })?,

@@ -6,7 +6,8 @@ use super::checker::Checker;
 use super::format::{CellFile, Literal, MovesTable, ObstacleTable, SensorTable, WhileTable};
 use crate::cell::CellError;
 use crate::cell::following::{Band, Follower, Following, Moves};
-use crate::cell::workcell::{Sensor, Zone};
+use crate::cell::sensor::kind::Key;
+use crate::cell::sensor::{KINDS, Sensor, SensorKind};
 use crate::fmi::number;
 use crate::geometry::Vec3;
 use crate::human::{Arrangement, Presses};
@@ -107,9 +108,11 @@ impl Checker<'_> {
         sensors: &[Sensor],
         reading: &mut usize,
     ) -> Result<Band> {
-        let zone = sensors.iter().find(|sensor| sensor.name == table.name).map(|sensor| &sensor.zone);
-        self.that(matches!(zone, None | Some(Zone::Mat(_) | Zone::Field(_))), counts.span(), || {
-            let message = format!("sensor `{}` is no mat and no scanner field, so it always counts", table.name);
+        let known = sensors.iter().find(|sensor| sensor.name == table.name);
+        self.that(known.is_none_or(|sensor| sensor.kind.has(Key::CountsWhile)), counts.span(), || {
+            let some = SensorKind::all_with(KINDS, Key::CountsWhile);
+            let no: Vec<String> = some.iter().map(|kind| format!("no {}", kind.noun())).collect();
+            let message = format!("sensor `{}` is {}, so it always counts", table.name, no.join(" and "));
             let help = "remove counts_while: an FMU that mutes a safeguard is told what that sees, and mutes it itself";
             (message, help.to_owned())
         })?;

@@ -19,14 +19,14 @@ use toml::Spanned;
 
 pub(crate) use accept::{AcceptTable, Acceptable};
 pub use criteria::{ContactTable, CriteriaTable, OnOrClamping, OnOrMoving, SeparationTable, SpeedOrOff};
-pub(crate) use explain::{ExplainTable, ParameterLimits};
+pub(crate) use explain::{ExplainTable, ParameterLimits, SensorLimits};
 pub use person::{HumanTable, People, PeopleFrom, SecondTable, StartAreaTable, StartTable};
 pub(crate) use robot::{
     CapsuleTable, FrameTable, InertiaTable, JointTable, LinkTable, MeshTable, RobotTable, UpAxis, VariableTable,
 };
 pub use surroundings::{
-    ControlTable, EvaluatedTable, MovesTable, ObstacleTable, SensorKind, SensorTable, StaticMeshTable, ValuesTable,
-    WhileTable, ZoneTable,
+    ControlTable, EvaluatedTable, MovesTable, ObstacleTable, SensorTable, StaticMeshTable, ValuesTable, WhileTable,
+    ZoneTable,
 };
 
 /// The whole file.

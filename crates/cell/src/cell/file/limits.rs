@@ -4,7 +4,7 @@
 use std::ops::Range;
 
 use super::checker::Checker;
-use super::format::{CellFile, SensorKind};
+use super::format::CellFile;
 use crate::cell::CellError;
 use crate::cell::error::nearest;
 use crate::fmi::number;
@@ -37,16 +37,13 @@ impl Checker<'_> {
             let _ = self.problems.keep(self.numbers(&lengths, 0.0, &span));
             let others = lengths.iter().any(|(_, length)| length.is_some());
             let _ = self.problems.keep(self.fixed_alone(limits.fixed, others, &span));
-            let kind = file.sensors.iter().find(|sensor| sensor.name == *name).map(|sensor| sensor.kind);
-            let takes: &[&str] = match kind {
-                Some(SensorKind::Mat | SensorKind::ScannerField) => &["most_wider_m"],
-                Some(SensorKind::LightCurtain | SensorKind::InterlockedDoor) => &["most_top_m", "most_farther_m"],
-                _ => &[],
-            };
+            let sensor = file.sensors.iter().find(|sensor| sensor.name == *name);
+            let changes = sensor.map_or(&[][..], |sensor| sensor.kind.changes());
+            let takes: Vec<&str> = changes.iter().filter_map(|change| change.limit()).collect();
             for (key, _) in lengths.iter().filter(|(key, length)| length.is_some() && !takes.contains(key)) {
-                let help = match takes {
+                let help = match takes[..] {
                     [] => "`explain` never changes it: remove this".to_owned(),
-                    keys => format!("for this kind of sensor there is {}", keys.join(" and ")),
+                    _ => format!("for this kind of sensor there is {}", takes.join(" and ")),
                 };
                 let message = format!("{key} does not fit sensor `{name}`");
                 self.problems.tell(self.source.error(span.clone(), "here", message, Some(help)));

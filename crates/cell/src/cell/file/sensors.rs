@@ -3,11 +3,13 @@
 use toml::Spanned;
 
 use super::checker::Checker;
-use super::format::{CellFile, SensorKind, SensorTable, ValuesTable, ZoneTable};
+use super::format::{CellFile, SensorTable, ValuesTable, ZoneTable};
 use crate::cell::CellError;
-use crate::cell::workcell::{Placing, Sensor, Signal, Zone};
+use crate::cell::sensor::kind::{Key, Zoned};
+use crate::cell::sensor::written::Written;
+use crate::cell::sensor::zone::heights;
+use crate::cell::sensor::{DetectionZone, KINDS, Placing, Sensor, SensorKind, Signal};
 use crate::fmi;
-use crate::geometry::{Cuboid, Vec3, rotation_about};
 use crate::human::Ability;
 use crate::standards::iso_13855::{Detection, HAND_SPEED_M_S, Opening};
 
@@ -59,40 +61,23 @@ impl Checker<'_> {
     fn sensor(&self, s: &SensorTable, file: &CellFile, step_s: f64) -> Result<(Sensor, Placing), Box<CellError>> {
         let signal = self.problems.keep(self.signal(s)).unwrap_or(Signal::Boolean { active: false });
         let span = s.zone.as_ref().map_or_else(|| s.variable.span(), Spanned::span);
-        let zone = match (s.kind, &s.zone) {
-            (SensorKind::Reported, None) => Zone::Reported,
-            (SensorKind::Reported, Some(zone)) => {
+        let zone = match (s.kind.zone(), &s.zone) {
+            (Zoned::InFmu, None) => DetectionZone::InFmu,
+            (Zoned::InFmu, Some(zone)) => {
                 let message = format!("sensor `{}` is inside the FMU and has no zone here", s.name);
                 return Err(self.source.error(zone.span(), "here", message, Some("remove the zone".to_owned())));
             }
-            (_, None) => {
+            (Zoned::Written(_), None) => {
                 let message = format!("sensor `{}` has no zone", s.name);
                 let help = Some(
                     "add zone = { polygon_m = [[x, y], ...] }, or line_m for a light curtain or a door".to_owned(),
                 );
                 return Err(self.source.error(span, "for this sensor", message, help));
             }
-            (SensorKind::Mat, Some(zone)) => Zone::Mat(self.polygon(s, zone)?),
-            (SensorKind::ScannerField, Some(zone)) => {
-                let height_m = zone.get_ref().height_m.unwrap_or(FIELD_HEIGHT_M);
-                self.that((0.0..=1.0).contains(&height_m), span.clone(), || {
-                    (
-                        format!("the height of sensor `{}` is {} m", s.name, fmi::number(height_m)),
-                        "ISO 13855 allows 0 to 1 m".to_owned(),
-                    )
-                })?;
-                Zone::Field(self.polygon(s, zone)?)
-            }
-            (SensorKind::LightCurtain, Some(zone)) => Zone::Curtain(self.plane(s, zone, "light curtain")?),
-            (SensorKind::InterlockedDoor, Some(zone)) => Zone::Door(self.plane(s, zone, "door")?),
-            (SensorKind::TwoHandControl, Some(zone)) => {
-                let post = self.polygon(s, zone)?;
-                let plane = self.buttons(s, zone, &post)?;
-                Zone::TwoHand { post, plane }
-            }
+            (Zoned::Written(read), Some(zone)) => read(&Zone { checker: self, name: &s.name, zone })?,
         };
         let delay_ms = s.delay_ms.as_ref().map_or(0.0, |d| *d.get_ref());
-        self.that(delay_ms == 0.0 || zone != Zone::Reported, span.clone(), || {
+        self.that(delay_ms == 0.0 || !zone.is_in_fmu(), span.clone(), || {
             (
                 format!("sensor `{}` is inside the FMU, which knows its response time", s.name),
                 "remove delay_ms".to_owned(),
@@ -108,17 +93,16 @@ impl Checker<'_> {
         })?;
         #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "checked: 0 to 63")]
         let delay_steps = steps.max(0.0) as usize;
-        self.evaluated(s, file)?;
+        self.evaluated(s, &zone, file)?;
         let latched = self.latched(s)?;
         let placing = self.placing(s)?;
-        Ok((Sensor { name: s.name.clone(), zone, signal, delay_steps, latched }, placing))
+        Ok((Sensor { name: s.name.clone(), kind: s.kind, zone, signal, delay_steps, latched }, placing))
     }
 
     /// Whether the input of a sensor is held: of one that the FMU does not evaluate itself, else it knows better.
     fn latched(&self, s: &SensorTable) -> Result<bool, Box<CellError>> {
-        use SensorKind::{InterlockedDoor, LightCurtain, Mat, ScannerField};
         let Some(latched) = &s.latched else { return Ok(false) };
-        self.belongs(s, "latched", &latched.span(), &[Mat, ScannerField, LightCurtain, InterlockedDoor])?;
+        self.belongs(s, ("latched", Key::Latched), &latched.span())?;
         self.that(s.evaluated.is_none() || !*latched.get_ref(), latched.span(), || {
             let message = format!("the FMU evaluates sensor `{}` itself: its input alone cannot be held", s.name);
             (message, "leave `latched` or `evaluated` out".to_owned())
@@ -127,19 +111,20 @@ impl Checker<'_> {
     }
 
     /// Whether the FMU can evaluate a sensor as far as it knows the person's pose: where the feet are, and not how they stand.
-    fn evaluated(&self, s: &SensorTable, file: &CellFile) -> Result<(), Box<CellError>> {
+    fn evaluated(&self, s: &SensorTable, zone: &DetectionZone, file: &CellFile) -> Result<(), Box<CellError>> {
         let Some(table) = &s.evaluated else { return Ok(()) };
         let span = table.span();
         self.that(s.values.is_none() || table.get_ref().active.is_some(), span.clone(), || {
             let message = format!("which value of `{}` means a person is not said", table.get_ref().variable.get_ref());
             (message, "add active = true or false: that of the sensor is told by numbers".to_owned())
         })?;
-        self.belongs(s, "evaluated", &span, &[SensorKind::LightCurtain, SensorKind::InterlockedDoor])?;
+        self.belongs(s, ("evaluated", Key::Evaluated), &span)?;
         self.that(!file.pose.is_empty(), span.clone(), || {
             let message = format!("the FMU evaluates sensor `{}` and is not told where the person is", s.name);
             (message, "add [pose] with the inputs that tell it".to_owned())
         })?;
-        let low_m = s.zone.as_ref().and_then(|zone| zone.get_ref().heights_m).map_or(0.0, |[low, _]| low);
+        let own = s.zone.as_ref().and_then(|zone| zone.get_ref().heights_m);
+        let low_m = own.or_else(|| zone.walked_through().map(heights)).map_or(0.0, |[low, _]| low);
         self.that(low_m <= LEGS_M, span.clone(), || {
             let message = format!(
                 "the FMU evaluates sensor `{}`, which begins at {} m, and does not know who bends below it",
@@ -158,30 +143,28 @@ impl Checker<'_> {
 
     /// What the safety distance alone depends on.
     fn placing(&self, s: &SensorTable) -> Result<Placing, Box<CellError>> {
-        use SensorKind::{InterlockedDoor, LightCurtain, Reported, ScannerField};
-        let seeing: &[SensorKind] = &[LightCurtain, ScannerField];
-        let (beams, doors): (&[SensorKind], &[SensorKind]) = (&[LightCurtain], &[InterlockedDoor]);
-        for (key, value, kinds, most) in [
-            ("resolution_mm", &s.resolution_mm, seeing, 500.0),
-            ("opening_mm", &s.opening_mm, doors, 10_000.0),
-            ("opening_ms", &s.opening_ms, doors, 60_000.0),
+        for (key, name, value, most) in [
+            (Key::Resolution, "resolution_mm", &s.resolution_mm, 500.0),
+            (Key::OpeningGap, "opening_mm", &s.opening_mm, 10_000.0),
+            (Key::OpeningTime, "opening_ms", &s.opening_ms, 60_000.0),
         ] {
             let Some(value) = value else { continue };
-            self.belongs(s, key, &value.span(), kinds)?;
-            self.between(s, key, value, most)?;
+            self.belongs(s, (name, key), &value.span())?;
+            self.between(s, name, value, most)?;
         }
-        if let Some(beams_of) = &s.beams {
-            self.belongs(s, "beams", &beams_of.span(), beams)?;
-            self.that((1..=100).contains(beams_of.get_ref()), beams_of.span(), || {
-                (format!("light curtain `{}` has {} beams", s.name, beams_of.get_ref()), "use 1 to 100".to_owned())
+        if let Some(beams) = &s.beams {
+            let noun = s.kind.noun();
+            self.belongs(s, ("beams", Key::Beams), &beams.span())?;
+            self.that((1..=100).contains(beams.get_ref()), beams.span(), || {
+                (format!("{noun} `{}` has {} beams", s.name, beams.get_ref()), "use 1 to 100".to_owned())
             })?;
-            self.that(s.resolution_mm.is_none(), beams_of.span(), || {
-                let message = format!("light curtain `{}` has both beams and a resolution", s.name);
+            self.that(s.resolution_mm.is_none(), beams.span(), || {
+                let message = format!("{noun} `{}` has both beams and a resolution", s.name);
                 (message, "beams for a row of single ones, resolution_mm for a curtain".to_owned())
             })?;
         }
         if let Some(supplement) = &s.supplement_mm {
-            self.that(s.kind != Reported, supplement.span(), || {
+            self.that(!s.kind.is_in_fmu(), supplement.span(), || {
                 let message = format!("sensor `{}` is inside the FMU: where it begins is not known here", s.name);
                 (message, "remove supplement_mm".to_owned())
             })?;
@@ -193,7 +176,8 @@ impl Checker<'_> {
                 resolution_m: thousandth(&s.resolution_mm),
                 beams: s.beams.as_ref().map(|beams| *beams.get_ref()),
             },
-            height_m: s.zone.as_ref().and_then(|zone| zone.get_ref().height_m).unwrap_or(FIELD_HEIGHT_M),
+            height_m: s.zone.as_ref().and_then(|zone| zone.get_ref().height_m),
+            line_m: s.zone.as_ref().and_then(|zone| zone.get_ref().line_m),
             opening: Opening { gap_m: thousandth(&s.opening_mm), time_s: thousandth(&s.opening_ms).unwrap_or(0.0) },
             supplement_m: thousandth(&s.supplement_mm).unwrap_or(0.0),
         })
@@ -203,20 +187,13 @@ impl Checker<'_> {
     fn belongs(
         &self,
         s: &SensorTable,
-        key: &str,
+        (name, key): (&str, Key),
         span: &std::ops::Range<usize>,
-        kinds: &[SensorKind],
     ) -> Result<(), Box<CellError>> {
-        self.that(kinds.contains(&s.kind), span.clone(), || {
-            let of = kinds.iter().map(|kind| match kind {
-                SensorKind::LightCurtain => "a light curtain",
-                SensorKind::ScannerField => "a scanner field",
-                SensorKind::InterlockedDoor => "a door",
-                SensorKind::Mat => "a mat",
-                _ => "another sensor",
-            });
-            let of: Vec<&str> = of.collect();
-            (format!("sensor `{}` has {key}, which only {} has", s.name, of.join(" or ")), format!("remove {key}"))
+        self.that(s.kind.has(key), span.clone(), || {
+            let of: Vec<String> =
+                SensorKind::all_with(KINDS, key).iter().map(|kind| format!("a {}", kind.noun())).collect();
+            (format!("sensor `{}` has {name}, which only {} has", s.name, of.join(" or ")), format!("remove {name}"))
         })
     }
 
@@ -250,66 +227,51 @@ impl Checker<'_> {
             self.source.error(s.variable.span(), "of this variable", message, Some(help))
         })
     }
+}
 
-    fn polygon(&self, s: &SensorTable, zone: &Spanned<ZoneTable>) -> Result<Vec<[f64; 2]>, Box<CellError>> {
-        let polygon = zone.get_ref().polygon_m.clone().unwrap_or_default();
-        self.that(polygon.len() >= 3, zone.span(), || {
-            (format!("the zone of sensor `{}` needs at least three corners", s.name), "[[x, y], ...] in m".to_owned())
+/// The zone of a sensor.
+struct Zone<'a> {
+    checker: &'a Checker<'a>,
+    name: &'a str,
+    zone: &'a Spanned<ZoneTable>,
+}
+
+impl Written for Zone<'_> {
+    fn name(&self) -> &str {
+        self.name
+    }
+
+    fn polygon_m(&self) -> Result<Vec<[f64; 2]>, Box<CellError>> {
+        let (polygon, span) = (self.zone.get_ref().polygon_m.clone().unwrap_or_default(), self.zone.span());
+        let what = format!("the zone of sensor `{}`", self.name);
+        self.checker.that(polygon.len() >= 3, span.clone(), || {
+            (format!("{what} needs at least three corners"), "[[x, y], ...] in m".to_owned())
         })?;
-        self.finite(&polygon.concat(), &zone.span(), &format!("the zone of sensor `{}`", s.name))?;
-        self.plain_polygon(&polygon, &zone.span(), &format!("the zone of sensor `{}`", s.name))?;
+        self.checker.finite(&polygon.concat(), &span, &what)?;
+        self.checker.plain_polygon(&polygon, &span, &what)?;
         Ok(polygon)
     }
 
-    fn plane(&self, s: &SensorTable, zone: &Spanned<ZoneTable>, what: &str) -> Result<Cuboid, Box<CellError>> {
-        let (Some(line), Some([low, high])) = (zone.get_ref().line_m, zone.get_ref().heights_m) else {
-            let message = format!("{what} `{}` needs `line_m` and `heights_m`", s.name);
-            let help = Some("zone = { line_m = [[-0.5, 0], [0.5, 0]], heights_m = [0, 1.8] }".to_owned());
-            return Err(self.source.error(zone.span(), "here", message, help));
-        };
-        self.of_a_workshop(&line.concat(), &zone.span(), &format!("{what} `{}`", s.name))?;
-        let plane = upright(line, [low, high]);
-        let sound = plane.half.x.is_finite() && plane.half.x > 0.0 && low >= 0.0 && high > low && high < 10.0;
-        self.that(sound, zone.span(), || {
-            (format!("the plane of {what} `{}` has no extent", s.name), "two ends, two heights, in m".to_owned())
-        })?;
-        Ok(plane)
+    fn line_m(&self) -> Option<[[f64; 2]; 2]> {
+        self.zone.get_ref().line_m
     }
 
-    /// The plane of a two-hand control's buttons: farther to all sides than an arm gets past it.
-    fn buttons(&self, s: &SensorTable, zone: &Spanned<ZoneTable>, post: &[[f64; 2]]) -> Result<Cuboid, Box<CellError>> {
-        let Some(line) = zone.get_ref().line_m else {
-            let message = format!("two-hand control `{}` does not say where its buttons are", s.name);
-            let help = "beside polygon_m, where its operator stands, add line_m: two points on the line of the buttons";
-            return Err(self.source.error(zone.span(), "here", message, Some(help.to_owned())));
-        };
-        self.that(zone.get_ref().heights_m.is_none(), zone.span(), || {
-            let message = format!("two-hand control `{}` has heights_m, which are not read", s.name);
-            (message, "remove them: hands that hold it are nowhere behind it".to_owned())
-        })?;
-        let narrow = upright(line, [0.0, 2.0 * ASIDE_M]);
-        let sound = narrow.half.x.is_finite() && narrow.half.x > 0.0;
-        self.that(sound, zone.span(), || {
-            (
-                format!("the line of two-hand control `{}` has no length", s.name),
-                "two different points, in m".to_owned(),
-            )
-        })?;
-        let side = |[x, y]: &[f64; 2]| (narrow.rotation * Vec3::Y).dot(Vec3::new(*x, *y, 0.0) - narrow.centre);
-        let one_side = post.iter().all(|p| side(p) > 0.0) || post.iter().all(|p| side(p) < 0.0);
-        self.that(one_side, zone.span(), || {
-            let message = format!("the line of two-hand control `{}` goes through its operator's post", s.name);
-            (
-                message,
-                "the buttons are in front of the operator: all corners of polygon_m on one side of line_m".to_owned(),
-            )
-        })?;
-        Ok(Cuboid { half: narrow.half.with_x(narrow.half.x + ASIDE_M), ..narrow })
+    fn heights_m(&self) -> Option<[f64; 2]> {
+        self.zone.get_ref().heights_m
+    }
+
+    fn height_m(&self) -> Option<f64> {
+        self.zone.get_ref().height_m
+    }
+
+    fn of_a_workshop(&self, lengths_m: &[f64], what: &str) -> Result<(), Box<CellError>> {
+        self.checker.of_a_workshop(lengths_m, &self.zone.span(), what)
+    }
+
+    fn wrong(&self, message: String, help: &str) -> Box<CellError> {
+        self.checker.source.error(self.zone.span(), "here", message, Some(help.to_owned()))
     }
 }
-
-/// Height of a scanner field above the floor unless told otherwise, m.
-const FIELD_HEIGHT_M: f64 = 0.2;
 
 /// What people do of which where their feet are says little.
 const LOW: [Ability; 3] = [Ability::Kneel, Ability::Crouch, Ability::Crawl];
@@ -322,19 +284,6 @@ const SHORTEST_S: f64 = 0.01;
 
 /// As far as that is, m.
 const FOLLOWED_M: f64 = 64.0 * SHORTEST_S * HAND_SPEED_M_S;
-
-/// How far the plane of a two-hand control goes on beside its buttons, and half its height, m: more than any arm is long.
-const ASIDE_M: f64 = 3.0;
-
-/// An upright plane over a line on the floor, m, as a box without thickness.
-fn upright([from, to]: [[f64; 2]; 2], [low, high]: [f64; 2]) -> Cuboid {
-    let (dx, dy) = (to[0] - from[0], to[1] - from[1]);
-    Cuboid {
-        centre: Vec3::new(0.5 * (from[0] + to[0]), 0.5 * (from[1] + to[1]), 0.5 * (low + high)),
-        half: Vec3::new(0.5 * libm::hypot(dx, dy), 0.0, 0.5 * (high - low)),
-        rotation: rotation_about(Vec3::Z, libm::atan2(dy, dx)),
-    }
-}
 
 #[cfg(test)]
 mod tests {

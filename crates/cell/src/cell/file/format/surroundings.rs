@@ -8,6 +8,7 @@ use toml::Spanned;
 use crate::human::{ControlKind, ControlledBy};
 
 use super::{Literal, PoseTable, UpAxis};
+use crate::cell::sensor::SensorKind;
 
 /// What is in the way: a box, or the parts of a mesh file, taken as boxes that lie inside them.
 #[derive(Debug, Deserialize, JsonSchema)]
@@ -114,27 +115,6 @@ pub struct StaticMeshTable {
 /// The schema of an obstacle: a box or a mesh.
 fn box_or_mesh(obstacle: &mut Schema) {
     obstacle.insert("oneOf".to_owned(), json!([{ "required": ["centre_m", "size_m"] }, { "required": ["mesh"] }]));
-}
-
-/// What a sensor is.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Deserialize, JsonSchema)]
-#[serde(rename_all = "snake_case")]
-pub enum SensorKind {
-    /// A pressure-sensitive mat: fires when a foot stands on the zone (ISO 13856-1).
-    Mat,
-    /// A scanner field: fires when a leg is in the zone (IEC 61496-3).
-    ScannerField,
-    /// A light curtain: fires when a part of the body or an arm passes through an upright plane (IEC 61496-2). An arm
-    /// that reaches through it does so at 2.0 m/s (ISO 13855).
-    LightCurtain,
-    /// The switch of a guard door (ISO 14119): fires while a part of the body or an arm is in the doorway, an upright plane.
-    /// Whoever has passed has closed the door behind them: no door tells of less.
-    InterlockedDoor,
-    /// A two-hand control (ISO 13851): fires unless the person stands at its post with both hands on it. A hand may let go
-    /// at any time; behind the plane of the buttons it is then as far as it gets at 2.0 m/s.
-    TwoHandControl,
-    /// A sensor inside the FMU, which reports it with a Boolean output.
-    Reported,
 }
 
 /// A sensor.
