@@ -53,7 +53,7 @@ mod tests {
         ("src/scan/anywhere.rs", "anywhere", 82),
         ("src/scan/anywhere/fields.rs", "Fields::of", 71),
         ("src/scan/attempts.rs", "attempts", 101),
-        ("src/scan/distance.rs", "Measured::safeguard", 85),
+        ("src/scan/distance.rs", "Measured::safeguard", 90),
         ("src/scan/exhaustive.rs", "census", 106),
         ("src/scan/film.rs", "replay", 77),
         ("src/scan/prepare.rs", "prepare_unplaced", 88),

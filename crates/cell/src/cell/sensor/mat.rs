@@ -1,4 +1,4 @@
-//! Pressure-sensitive mats.
+//! A pressure-sensitive mat as a kind of sensor.
 
 use super::kind::{Change, Key, Kind, Picture, Proposed, Recognised, SensorKind, Unseen, Zoned};
 use super::rules::{From, Rules, Standing};
