@@ -2623,7 +2623,7 @@ class ReplayedHazard(TypedDict):
 class Residual(TypedDict):
     """
     What the uniformly random sequences of a search say about what is left, each figure with 95 % confidence. Sequences
-    that a strategy chose are never counted. See [`crate::search::residual`].
+    that a strategy chose are never counted.
     """
 
     hazardous: int

@@ -489,8 +489,8 @@ fn an_fmu_that_ends_a_scan_leaves_what_was_found_until_then() {
             let _ = std::fs::remove_file(&count);
             let _ = std::fs::remove_dir_all(dir.join("o"));
             std::fs::write(&most, licence.to_string()).unwrap();
-            let (code, stdout, stderr) =
-                run(dir, &["scan", "--no-advice", "cell.toml", "--trust-fmu", "--strategy", strategy, "--out", "o"]);
+            let how = ["--from", "start", "--no-advice", "--trust-fmu", "--strategy", strategy, "--out", "o"];
+            let (code, stdout, stderr) = run(dir, &[&["scan", "cell.toml"], &how[..]].concat());
             (code, stdout, stderr, std::fs::metadata(&count).unwrap().len())
         };
         let (code, _, stderr, needed) = scan(u64::MAX / 2);

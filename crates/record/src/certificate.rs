@@ -95,7 +95,7 @@ pub struct RandomSearch {
 }
 
 /// What the uniformly random sequences of a search say about what is left, each figure with 95 % confidence. Sequences
-/// that a strategy chose are never counted. See `fmi-hazard-search`, `residual`.
+/// that a strategy chose are never counted.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 pub struct Residual {
     /// What the figures hold for.

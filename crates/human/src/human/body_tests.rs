@@ -148,7 +148,7 @@ fn a_bend_that_is_no_angle_is_refused() {
 
 #[test]
 fn parameters_are_read_with_defaults_and_without_typing_errors() {
-    let short: Anthropometry = serde_json::from_str(r#"{"sex": "female", "percentile": 5}"#).unwrap();
+    let short: Anthropometry = serde_json::from_str(r#"{"sex": "woman", "percentile": 5}"#).unwrap();
     let expected = Anthropometry { sex: Sex::Woman, percentile: Percentile::P5, ..Anthropometry::default() };
     assert_eq!(short, expected);
     assert!(serde_json::from_str::<Anthropometry>(r#"{"bend_foward_deg": 30}"#).is_err());
