@@ -101,8 +101,8 @@ mod tests {
             DetectionZone::Plane(plane),
             DetectionZone::Post { post: polygon, plane },
         ];
-        let (mut seen_by, mut certain, mut small_boxes, mut bent_away) = ([0; 3], 0, 0, 0);
-        for number in 0..3600 {
+        let (mut seen_by, mut certain, mut small_boxes, mut bent_away) = ([[0; 2]; 3], 0, 0, 0);
+        for number in 0..6000 {
             let small = number % 3 == 0;
             let at = PoseBox {
                 xy_m: [uniform(-1.0, 1.0), uniform(-1.0, 1.0)],
@@ -111,7 +111,8 @@ mod tests {
                 half_rad: if small { 0.01 } else { uniform(0.0, 3.1) },
             };
             let posture = Posture::USUAL[number % 6];
-            let zone = number / 6 % 3;
+            // Two of five are floors, and two planes.
+            let zone = number % 5 % 3;
             let sensor = Sensor {
                 name: String::new(),
                 // Any: by its zone alone it reports.
@@ -144,10 +145,10 @@ mod tests {
                 let stays = may_stay_clear(&sensor, &body, &upright, &at);
                 assert!(reading || stays, "{zone}: clear at {there:?} in {at:?}");
                 bent_away += usize::from(!reading && !may_report(&sensor, &body, &upright, &at).clear);
-                seen_by[zone] += usize::from(reading);
+                seen_by[zone][usize::from(reading)] += 1;
             }
         }
-        assert!(seen_by.iter().all(|&count| (1000..11_500).contains(&count)), "{seen_by:?}");
+        assert!(seen_by.iter().all(|[clear, seen]| 11 * seen > *clear && 23 * clear > *seen), "{seen_by:?}");
         assert!(10 * certain > 9 * small_boxes && bent_away > 2, "{certain} of {small_boxes}, {bent_away}");
     }
 }
