@@ -112,7 +112,7 @@ mod tests {
             };
             let posture = Posture::USUAL[number % 6];
             // Two of five are floors, and two planes.
-            let zone = number % 5 % 3;
+            let zone = number / 6 % 5 % 3;
             let sensor = Sensor {
                 name: String::new(),
                 // Any: by its zone alone it reports.
