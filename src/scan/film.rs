@@ -6,6 +6,7 @@ use super::arms::{self, Joints};
 use super::hosting::StateChoice;
 use super::outline;
 use super::prepare::Prepared;
+use crate::cell::sensor::kind::Picture;
 use crate::cell::sensor::zone::heights;
 use crate::cell::{self, Control, DetectionZone, Sensor, Workcell, looks};
 use crate::geometry::distance::point_segment;
@@ -132,7 +133,8 @@ fn zone(Sensor { name, kind, zone, .. }: &Sensor) -> Option<ZoneOutline> {
         DetectionZone::Plane(plane) => heights(plane),
         DetectionZone::InFmu => return None,
     };
-    Some(ZoneOutline::new(name, kind.picture()?.word(), outline::zone(zone)?, z_m))
+    let Picture { called, drawn } = kind.picture()?;
+    Some(ZoneOutline::new((called, name), drawn.word(), outline::zone(zone)?, z_m))
 }
 
 /// A control as something upright that is as large as what a hand has to get to, or a little larger.
@@ -140,7 +142,7 @@ fn button(control: &Control) -> Option<ZoneOutline> {
     let place = control.place?;
     let half = place.radius.max(outline::BUTTON_M);
     let z_m = [place.a.z.min(place.b.z) - half, place.a.z.max(place.b.z) + half];
-    Some(ZoneOutline::new(&control.name, "button", outline::button(control)?, z_m))
+    Some(ZoneOutline::new(("button", &control.name), "button", outline::button(control)?, z_m))
 }
 
 /// Runs the sequence of `hazard` and keeps everything that there is to see, of two people with the one who is hit as the person. Where it takes an arm through a light curtain,

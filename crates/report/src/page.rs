@@ -93,7 +93,7 @@ pub struct ZoneOutline {
     pub name: String,
     /// `mat`, `field`, `curtain`, `door`, `post` or `button`.
     pub kind: &'static str,
-    /// Kind and name, the kind only where the name does not tell it.
+    /// What it is called and its name, the former only where the name does not tell it.
     pub title: String,
     /// Its outline on the floor plan.
     pub polygon_m: Vec<[f64; 2]>,
@@ -102,11 +102,11 @@ pub struct ZoneOutline {
 }
 
 impl ZoneOutline {
-    /// One of this kind and name.
+    /// One of this kind, with what it is called and its name.
     #[must_use]
-    pub fn new(name: &str, kind: &'static str, polygon_m: Vec<[f64; 2]>, z_m: [f64; 2]) -> Self {
-        let told = name.to_lowercase().contains(kind);
-        let title = if told { name.to_owned() } else { format!("{kind} {name}") };
+    pub fn new((called, name): (&str, &str), kind: &'static str, polygon_m: Vec<[f64; 2]>, z_m: [f64; 2]) -> Self {
+        let told = name.to_lowercase().contains(called);
+        let title = if told { name.to_owned() } else { format!("{called} {name}") };
         Self { name: name.to_owned(), kind, title, polygon_m, z_m }
     }
 }

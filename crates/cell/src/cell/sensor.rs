@@ -211,7 +211,8 @@ mod tests {
 
     #[test]
     fn messages_name_the_kind_first_whose_own_a_key_is_most() {
-        let named = |key| SensorKind::all_with(KINDS, key).iter().map(|kind| kind.noun()).collect::<Vec<_>>();
+        let some = [mat::KIND, scanner_field::KIND, light_curtain::KIND, interlocked_door::KIND];
+        let named = |key| SensorKind::all_with(&some, key).iter().map(|kind| kind.noun()).collect::<Vec<_>>();
         assert_eq!(named(Key::Resolution), ["light curtain", "scanner field"]);
         assert_eq!(named(Key::Latched), ["mat", "scanner field", "light curtain", "door"]);
         assert_eq!(named(Key::CountsWhile), ["mat", "scanner field"]);

@@ -1,6 +1,6 @@
 //! Guard doors whose switch tells that they are open, without locking.
 
-use super::kind::{Change, Key, Kind, Picture, Proposed, Recognised, SensorKind, Unseen, Zoned};
+use super::kind::{Change, Drawn, Key, Kind, Picture, Proposed, Recognised, SensorKind, Unseen, Zoned};
 use super::rules::{From, Rules, Standing};
 use super::zone::line;
 use super::{DetectionZone, Placing, written};
@@ -47,7 +47,7 @@ impl Kind for InterlockedDoor {
     }
 
     fn picture(&self) -> Option<Picture> {
-        Some(Picture::Door)
+        Some(Picture { called: "door", drawn: Drawn::Door })
     }
 
     fn recognised(&self) -> Recognised {

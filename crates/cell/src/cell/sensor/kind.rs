@@ -35,7 +35,7 @@ pub trait Kind: Sync {
     /// What people do unseen by one with these data that its zone does not say.
     fn unseen(&self, placing: &Placing) -> Vec<Unseen>;
 
-    /// How it is drawn; none for what is not seen in a cell.
+    /// How it is shown; none for what is not seen in a cell.
     fn picture(&self) -> Option<Picture>;
 
     /// How `init` recognises it.
@@ -112,9 +112,18 @@ pub enum Unseen {
     LowBelow,
 }
 
-/// How a sensor is drawn in the report's page.
+/// How a sensor is shown in the report's page.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Picture {
+pub struct Picture {
+    /// What stands before its name, unless that says it.
+    pub called: &'static str,
+    /// How it is drawn.
+    pub drawn: Drawn,
+}
+
+/// How a sensor is drawn.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Drawn {
     /// A mat: on the floor, opaque.
     Mat,
     /// A field: on the floor, faint.
@@ -127,7 +136,7 @@ pub enum Picture {
     Post,
 }
 
-impl Picture {
+impl Drawn {
     /// What the page's data and style sheet call it.
     #[must_use]
     pub const fn word(self) -> &'static str {

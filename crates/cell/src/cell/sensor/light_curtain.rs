@@ -1,11 +1,11 @@
 //! Light curtains, and rows of single light beams.
 
 use super::guarding::{GAP_M, closed};
-use super::kind::{Change, Key, Kind, Picture, Proposed, Recognised, SensorKind, Unseen, Zoned};
+use super::kind::{Change, Drawn, Key, Kind, Picture, Proposed, Recognised, SensorKind, Unseen, Zoned};
 use super::rules::{Approach, From, Rules, Standing};
 use super::zone::{heights, line};
 use super::{DetectionZone, Placing, written};
-use crate::standards::iso_13855::{self as iso, DRAFT_ASKS_LESS_FROM_M, Edition, FINE_M};
+use crate::standards::iso_13855::{self as iso, DRAFT_ASKS_LESS_FROM_M, Detection, Edition, FINE_M};
 
 /// The kind.
 pub const KIND: SensorKind = SensorKind::new(&LightCurtain);
@@ -50,7 +50,7 @@ impl Kind for LightCurtain {
     }
 
     fn picture(&self) -> Option<Picture> {
-        Some(Picture::Curtain)
+        Some(Picture { called: "curtain", drawn: Drawn::Curtain })
     }
 
     fn recognised(&self) -> Recognised {
@@ -66,28 +66,34 @@ impl Kind for LightCurtain {
 
     /// 2010: 6.2 through it, 6.5 over it; 2024: 8.
     fn rules(&self, standing: &Standing<'_>) -> Rules {
-        let Standing { edition, placing: Placing { detection, supplement_m: z_m, .. }, zone, obstacles } = *standing;
-        let DetectionZone::Plane(plane) = zone else { return Rules::default() };
-        let [low_m, high_m] = closed(plane, obstacles);
-        // What guards it below is in nobody's way to be seen.
-        let under = if low_m > GAP_M { iso::under(edition, low_m, &detection) } else { None };
-        let heights_of_beams = detection.beams.and_then(|beams| iso::beam_heights(beams, heights(plane)));
-        let through =
-            From::Line { line_m: line(plane), asks: Box::new(move |t_s| iso::through(edition, t_s, z_m, &detection)) };
-        let over = From::Bands {
-            line_m: line(plane),
-            // Higher or lower parts of the robots may be farther away, and be asked for more.
-            bands_m: match edition {
-                Edition::Of2010 => iso::heights_for_reaching_over().collect(),
-                Edition::Of2024 => vec![[0.0, 2.7]],
-            },
-            asks: Box::new(move |t_s, heights_m| iso::over(edition, t_s, z_m, &detection, (heights_m, high_m))),
-        };
-        Rules {
-            ways: vec![Approach { how: "through", from: through }, Approach { how: "over", from: over }],
-            not_known: under.into_iter().chain(heights_of_beams).collect(),
-            notes: notes(edition, detection.resolution_m),
-        }
+        let Standing { edition, placing: Placing { detection, .. }, .. } = *standing;
+        Rules { notes: notes(edition, detection.resolution_m), ..past(standing, detection) }
+    }
+}
+
+/// What is asked of a light curtain or of single beams that see so finely.
+pub(super) fn past(standing: &Standing<'_>, detection: Detection) -> Rules {
+    let Standing { edition, placing: Placing { supplement_m: z_m, .. }, zone, obstacles } = *standing;
+    let DetectionZone::Plane(plane) = zone else { return Rules::default() };
+    let [low_m, high_m] = closed(plane, obstacles);
+    // What guards it below is in nobody's way to be seen.
+    let under = if low_m > GAP_M { iso::under(edition, low_m, &detection) } else { None };
+    let heights_of_beams = detection.beams.and_then(|beams| iso::beam_heights(beams, heights(plane)));
+    let through =
+        From::Line { line_m: line(plane), asks: Box::new(move |t_s| iso::through(edition, t_s, z_m, &detection)) };
+    let over = From::Bands {
+        line_m: line(plane),
+        // Higher or lower parts of the robots may be farther away, and be asked for more.
+        bands_m: match edition {
+            Edition::Of2010 => iso::heights_for_reaching_over().collect(),
+            Edition::Of2024 => vec![[0.0, 2.7]],
+        },
+        asks: Box::new(move |t_s, heights_m| iso::over(edition, t_s, z_m, &detection, (heights_m, high_m))),
+    };
+    Rules {
+        ways: vec![Approach { how: "through", from: through }, Approach { how: "over", from: over }],
+        not_known: under.into_iter().chain(heights_of_beams).collect(),
+        notes: Vec::new(),
     }
 }
 

@@ -1,6 +1,6 @@
 //! A pressure-sensitive mat as a kind of sensor.
 
-use super::kind::{Change, Key, Kind, Picture, Proposed, Recognised, SensorKind, Unseen, Zoned};
+use super::kind::{Change, Drawn, Key, Kind, Picture, Proposed, Recognised, SensorKind, Unseen, Zoned};
 use super::rules::{From, Rules, Standing};
 use super::{Placing, written};
 use crate::standards::iso_13855::{self as iso, MAT_DEPTH_M};
@@ -44,7 +44,7 @@ impl Kind for Mat {
     }
 
     fn picture(&self) -> Option<Picture> {
-        Some(Picture::Mat)
+        Some(Picture { called: "mat", drawn: Drawn::Mat })
     }
 
     fn recognised(&self) -> Recognised {

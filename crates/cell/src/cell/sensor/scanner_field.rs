@@ -1,6 +1,6 @@
 //! Protective fields of laser scanners.
 
-use super::kind::{Change, Key, Kind, Picture, Proposed, Recognised, SensorKind, Unseen, Zoned};
+use super::kind::{Change, Drawn, Key, Kind, Picture, Proposed, Recognised, SensorKind, Unseen, Zoned};
 use super::rules::{From, Rules, Standing};
 use super::written::{self, Written};
 use super::{DetectionZone, Placing};
@@ -64,7 +64,7 @@ impl Kind for ScannerField {
     }
 
     fn picture(&self) -> Option<Picture> {
-        Some(Picture::Field)
+        Some(Picture { called: "field", drawn: Drawn::Field })
     }
 
     fn recognised(&self) -> Recognised {

@@ -1,6 +1,6 @@
 //! Two-hand controls: they report unless somebody stands at their post with both hands on them.
 
-use super::kind::{Change, Key, Kind, Picture, Proposed, Recognised, SensorKind, Unseen, Zoned};
+use super::kind::{Change, Drawn, Key, Kind, Picture, Proposed, Recognised, SensorKind, Unseen, Zoned};
 use super::rules::{From, Rules, Standing};
 use super::written::Written;
 use super::zone::{line, upright};
@@ -88,7 +88,7 @@ impl Kind for TwoHandControl {
     }
 
     fn picture(&self) -> Option<Picture> {
-        Some(Picture::Post)
+        Some(Picture { called: "post", drawn: Drawn::Post })
     }
 
     fn recognised(&self) -> Recognised {
