@@ -23,6 +23,7 @@ mod init;
 mod inspect;
 mod introduction;
 mod manual;
+mod merge_by;
 mod output;
 mod pack;
 mod printed;

@@ -8,6 +8,7 @@ use clap::ValueEnum;
 use clap::builder::PossibleValue;
 
 use super::hosting::HostingArguments;
+use super::merge_by::MergeBy;
 use super::output::Format;
 use crate::cell::Workcell;
 use crate::cell::file::format::{PeopleFrom, SearchTable};
@@ -17,7 +18,6 @@ use crate::scan::options::Method;
 use crate::scan::remedy::{Effort, Everywhere};
 use crate::scan::{Exhaustive, ScanOptions, StateChoice, StrategyName};
 use crate::search::exhaustive::Budget;
-use crate::sequences::Merge;
 use crate::sim::answers::Share;
 
 /// When a scan is over.
@@ -203,8 +203,8 @@ struct ExhaustiveArguments {
     #[arg(long)]
     max_work: Option<u64>,
     /// How equal states of the FMU are told
-    #[arg(long, value_enum, default_value_t)]
-    merge: Merge,
+    #[arg(long, value_enum, default_value_t = MergeBy::Auto)]
+    merge: MergeBy,
     /// Threads (default: one a core); the result is the same
     #[arg(long)]
     workers: Option<usize>,
@@ -215,7 +215,7 @@ const SEQUENCE_STATES: usize = 20_000_000;
 
 impl Default for ExhaustiveArguments {
     fn default() -> Self {
-        Self { max_states: None, max_memory: 4_000, max_work: None, merge: Merge::default(), workers: None }
+        Self { max_states: None, max_memory: 4_000, max_work: None, merge: MergeBy::Auto, workers: None }
     }
 }
 
@@ -247,7 +247,7 @@ impl Arguments {
             work,
             drop: true,
         };
-        let how = Exhaustive { budget, merge: own.merge, workers: own.workers.unwrap_or_else(cores) };
+        let how = Exhaustive { budget, merge: own.merge.into(), workers: own.workers.unwrap_or_else(cores) };
         if auto { Method::Auto(StrategyName::default(), how) } else { Method::Exhaustive(how) }
     }
 

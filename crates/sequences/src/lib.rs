@@ -61,7 +61,7 @@ pub struct State {
 }
 
 /// How equal states of the FMU are told.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, clap::ValueEnum)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum Merge {
     /// By equal serialised states if the FMU offers them, else by equal inputs.
     #[default]

@@ -32,24 +32,26 @@ pub(super) struct Situation {
 impl Situation {
     /// What answers follow from: the FMU's outputs at the instant, as it was and as it would have been.
     pub(super) fn key(&self) -> &Key {
-        self.key.get_or_init(|| {
+        // May harm follows from the rest.
+        let Self { may_harm: _, frames, i, earlier, stopping, key } = self;
+        key.get_or_init(|| {
             let mut digest = Digest::default();
-            digest.numbers(self.frames[self.i].outputs());
-            for (windows, told) in &self.earlier {
+            digest.numbers(frames[*i].outputs());
+            for (windows, told) in earlier {
                 (windows, discriminant(told)).hash(&mut digest);
                 if let HadTold::Is(frames) = told {
-                    digest.numbers(frames[self.i].outputs());
+                    digest.numbers(frames[*i].outputs());
                 }
             }
-            self.stopping.as_deref().map(bits_of).hash(&mut digest);
+            stopping.as_deref().map(bits_of).hash(&mut digest);
             digest.key()
         })
     }
 }
 
 /// What tells stops apart.
-fn bits_of(stopping: &Stopping) -> Vec<u64> {
-    std::iter::once(stopping.time_s).chain(stopping.travel_m.iter().copied()).map(f64::to_bits).collect()
+fn bits_of(Stopping { time_s, travel_m }: &Stopping) -> Vec<u64> {
+    std::iter::once(*time_s).chain(travel_m.iter().copied()).map(f64::to_bits).collect()
 }
 
 impl Earlier for &Situation {

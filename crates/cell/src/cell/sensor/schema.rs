@@ -1,11 +1,10 @@
 //! The `kind` of a sensor in a cell file, and in its schema: one of the list of kinds.
 
 use std::borrow::Cow;
-use std::fmt;
 use std::sync::LazyLock;
 
 use schemars::{JsonSchema, Schema, SchemaGenerator, json_schema};
-use serde::de::{Deserialize, Deserializer, EnumAccess, Error, VariantAccess, Visitor};
+use serde::de::{Deserialize, Deserializer, Error as _};
 use serde_json::{Value, json};
 
 use super::{KINDS, SensorKind};
@@ -15,46 +14,9 @@ static KEYS: LazyLock<Vec<&'static str>> = LazyLock::new(|| KINDS.iter().map(|ki
 
 impl<'de> Deserialize<'de> for SensorKind {
     fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
-        deserializer.deserialize_enum("SensorKind", KEYS.as_slice(), Named)
-    }
-}
-
-struct Named;
-
-impl<'de> Visitor<'de> for Named {
-    type Value = SensorKind;
-
-    fn expecting(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.write_str("enum SensorKind")
-    }
-
-    fn visit_enum<A: EnumAccess<'de>>(self, named: A) -> Result<SensorKind, A::Error> {
-        let (kind, rest) = named.variant_seed(Key)?;
-        rest.unit_variant()?;
-        Ok(kind)
-    }
-}
-
-struct Key;
-
-impl<'de> serde::de::DeserializeSeed<'de> for Key {
-    type Value = SensorKind;
-
-    fn deserialize<D: Deserializer<'de>>(self, deserializer: D) -> Result<SensorKind, D::Error> {
-        deserializer.deserialize_identifier(self)
-    }
-}
-
-impl Visitor<'_> for Key {
-    type Value = SensorKind;
-
-    fn expecting(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.write_str("variant identifier")
-    }
-
-    fn visit_str<E: Error>(self, key: &str) -> Result<SensorKind, E> {
+        let key = Cow::<str>::deserialize(deserializer)?;
         let kind = KINDS.iter().find(|kind| kind.key() == key);
-        kind.copied().ok_or_else(|| E::unknown_variant(key, KEYS.as_slice()))
+        kind.copied().ok_or_else(|| D::Error::unknown_variant(&key, KEYS.as_slice()))
     }
 }
 
