@@ -8,7 +8,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any, Generic, TypeVar, cast
 
 from ._running import HAZARDS, INCONCLUSIVE, INTERRUPTED
-from .types import Anywhere, Cause, Hazard, Obligation, ScanReport
+from .types import Cause, Hazard, Obligation, ReachabilityResult, ScanReport
 
 if TYPE_CHECKING:
     import pandas
@@ -102,9 +102,9 @@ class Scan:
         return Scan(folder) if (folder / "anywhere.json").exists() else None
 
     @cached_property
-    def anywhere_data(self) -> Anywhere:
+    def anywhere_data(self) -> ReachabilityResult:
         """Everything of a scan from anywhere: anywhere.json."""
-        return cast(Anywhere, self._json("anywhere.json"))
+        return cast(ReachabilityResult, self._json("anywhere.json"))
 
     @property
     def beginnings(self) -> "list[Scan]":

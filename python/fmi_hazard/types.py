@@ -87,6 +87,53 @@ class Apart(TypedDict):
     """
 
 
+class ApproachPath(TypedDict):
+    """
+    A way past a safeguard to the robots.
+    """
+
+    at_s: float
+    """
+    When it does, s after the beginning of the run.
+    """
+    clause: str | None
+    """
+    Clause of the standard.
+    """
+    edge_m: list[float]
+    """
+    The point of the safeguard's edge that is nearest, m.
+    """
+    formula: str | None
+    """
+    The formula with its numbers.
+    """
+    how: str
+    """
+    How somebody comes: through it, over it, into it and so on.
+    """
+    known: bool
+    """
+    Whether S is known, and not only the least that it can be.
+    """
+    link: str
+    """
+    The link that comes nearest.
+    """
+    margin_mm: int | None
+    """
+    That less S, mm.
+    """
+    s_mm: int | None
+    """
+    S, mm: rounded up; none for a sensor that does not stop the robots.
+    """
+    stands_mm: int
+    """
+    How far the safeguard is from the nearest point that a moving robot reaches, mm: rounded down.
+    """
+
+
 class Arm(TypedDict):
     """
     The touching arm.
@@ -114,50 +161,10 @@ class Arm(TypedDict):
     """
 
 
-class Begin(TypedDict):
-    """
-    Where and when a person begins.
-    """
-
-    begins_s: float
-    """
-    Time from the FMU's own start, s.
-    """
-    heading_deg: float
-    """
-    Heading from +x towards +y, degrees.
-    """
-    xy_m: list[float]
-    """
-    Floor plan, m.
-    """
-
-
-class BeginningSubject(TypedDict):
-    """
-    Where and when the person begins; times of hazards count from then.
-    """
-
-    begins_s: float
-    """
-    Time from the FMU's own start, s.
-    """
-    heading_deg: float
-    """
-    Where the person looks, degrees from +x towards +y.
-    """
-    number: int
-    """
-    Its number, from 1.
-    """
-    of: int
-    """
-    How many the cell has.
-    """
-    xy_m: list[float]
-    """
-    Where the person stands, m.
-    """
+BodyOrArm: TypeAlias = Literal['body', 'arm']
+"""
+What of the person is hit: an arm needs other guards than the rest.
+"""
 
 
 BodyRegion: TypeAlias = Literal['skull_forehead', 'face', 'neck', 'neck_front', 'back_shoulders', 'chest', 'abdomen', 'pelvis', 'upper_arm', 'lower_arm', 'hand', 'thigh', 'lower_leg']
@@ -265,33 +272,6 @@ Class: TypeAlias = Literal['force', 'head_contact', 'clamping', 'pressure', 'mov
 """
 Which criterion a hazard breaks.
 """
-
-
-class Complete(TypedDict):
-    """
-    A complete search.
-    """
-
-    actions: int
-    """
-    How many actions they have.
-    """
-    beginning: int
-    """
-    From which of the cell's beginnings, from 1.
-    """
-    looked_at: int
-    """
-    All of so many actions were looked at.
-    """
-    reasons: list[str]
-    """
-    Why not all; nothing if it is complete.
-    """
-    sequences: str
-    """
-    How many sequences there are, in decimal.
-    """
 
 
 ContactKind: TypeAlias = Literal['transient', 'quasi_static', 'none']
@@ -454,6 +434,33 @@ class EventError(TypedDict):
     """
 
 
+class ExhaustiveCheck(TypedDict):
+    """
+    A complete search.
+    """
+
+    actions: int
+    """
+    How many actions they have.
+    """
+    beginning: int
+    """
+    From which of the cell's beginnings, from 1.
+    """
+    looked_at: int
+    """
+    All of so many actions were looked at.
+    """
+    reasons: list[str]
+    """
+    Why not all; nothing if it is complete.
+    """
+    sequences: str
+    """
+    How many sequences there are, in decimal.
+    """
+
+
 StartItem: TypeAlias = list[float]
 
 
@@ -593,6 +600,25 @@ class Headline(TypedDict):
     """
 
 
+class InitialConditionRecord(TypedDict):
+    """
+    Where and when a person begins.
+    """
+
+    begins_s: float
+    """
+    Time from the FMU's own start, s.
+    """
+    heading_deg: float
+    """
+    Heading from +x towards +y, degrees.
+    """
+    xy_m: list[float]
+    """
+    Floor plan, m.
+    """
+
+
 LimitKind: TypeAlias = Literal['force', 'pressure', 'motion', 'distance']
 """
 What the limit is one of.
@@ -624,20 +650,6 @@ class Line(TypedDict):
     """
     By what.
     """
-
-
-Met = TypedDict(
-    'Met',
-    {
-        'actions': list[Action],
-        'body_region': BodyRegion,
-        'class': Class,
-        'from': Begin | None,
-        'ratio': float,
-        'robot_link': str,
-        'time_s': float,
-    },
-)
 
 
 class Moment(TypedDict):
@@ -916,6 +928,48 @@ Something that "nobody is hit" needs.
 """
 
 
+class NotTried(TypedDict):
+    cause: str
+    """
+    Why.
+    """
+
+
+class NextSmallerNotTried(TypedDict):
+    """
+    It cannot be tried.
+    """
+
+    not_tried: NotTried
+
+
+class NumberedInitialCondition(TypedDict):
+    """
+    Where and when the person begins; times of hazards count from then.
+    """
+
+    begins_s: float
+    """
+    Time from the FMU's own start, s.
+    """
+    heading_deg: float
+    """
+    Where the person looks, degrees from +x towards +y.
+    """
+    number: int
+    """
+    Its number, from 1.
+    """
+    of: int
+    """
+    How many the cell has.
+    """
+    xy_m: list[float]
+    """
+    Where the person stands, m.
+    """
+
+
 class ObligationShown(TypedDict):
     """
     It is so.
@@ -1016,52 +1070,43 @@ All that an answer needs.
 """
 
 
-class OneLessMet(TypedDict):
+class OperatedControl(TypedDict):
     """
-    A hazard.
-    """
-
-    met: Met
-
-
-class NotTried(TypedDict):
-    cause: str
-    """
-    Why.
+    A control that is worked in an action.
     """
 
-
-class OneLessNotTried(TypedDict):
+    at_s: float
     """
-    It cannot be tried.
+    When the action begins, s.
     """
-
-    not_tried: NotTried
-
-
-class Close(TypedDict):
-    change: str
+    by: ControlledBy
     """
-    The least of the change with which nothing was met, in words.
+    Who works it.
     """
-    met: Met | None
+    by_either: NotRequired[bool]
     """
-    What one step less than that leads to, if it is a hazard.
+    Whether either of two people may be the one who works it.
     """
-
-
-class OneLessClose(TypedDict):
+    door: NotRequired[bool]
     """
-    Nothing is met with a little less, and it is too close to be shown for everybody from anywhere.
+    Whether it opens a door and closes it again.
     """
-
-    close: Close
-
-
-OneLess: TypeAlias = Literal['as_it_is'] | OneLessMet | OneLessNotTried | OneLessClose
-"""
-What the next smaller change leads to.
-"""
+    kind: ControlKind
+    """
+    How it is worked.
+    """
+    name: str
+    """
+    Its name.
+    """
+    opens: NotRequired[bool | None]
+    """
+    Of a door: whether it is opened, or closed.
+    """
+    pressed_steps: NotRequired[int | None]
+    """
+    Of a momentary one: for how many communication steps it is pressed.
+    """
 
 
 class Outside(TypedDict):
@@ -1077,12 +1122,6 @@ class Outside(TypedDict):
     """
     The sensor.
     """
-
-
-Part: TypeAlias = Literal['body', 'arm']
-"""
-What of the person is hit: an arm needs other guards than the rest.
-"""
 
 
 Placed: TypeAlias = Literal['far_enough', 'not_known', 'too_near']
@@ -1252,14 +1291,6 @@ class RemedyFromAnywhere(TypedDict):
     """
     How long after the start of the FMU, s.
     """
-
-
-class RemedyOutcomeOnlyLater(TypedDict):
-    """
-    No hazard is met within the time that the cell file looks at, but later.
-    """
-
-    only_later: Met
 
 
 class NoAdvice(TypedDict):
@@ -1650,7 +1681,7 @@ class Subject(TypedDict):
     What was scanned.
     """
 
-    beginning: NotRequired[BeginningSubject | None]
+    beginning: NotRequired[NumberedInitialCondition | None]
     """
     Which of the cell's beginnings it is, if there are several or it is not at once.
     """
@@ -1960,92 +1991,6 @@ class WatchedHistory(TypedDict):
     """
 
 
-class Way(TypedDict):
-    """
-    A way past a safeguard to the robots.
-    """
-
-    at_s: float
-    """
-    When it does, s after the beginning of the run.
-    """
-    clause: str | None
-    """
-    Clause of the standard.
-    """
-    edge_m: list[float]
-    """
-    The point of the safeguard's edge that is nearest, m.
-    """
-    formula: str | None
-    """
-    The formula with its numbers.
-    """
-    how: str
-    """
-    How somebody comes: through it, over it, into it and so on.
-    """
-    known: bool
-    """
-    Whether S is known, and not only the least that it can be.
-    """
-    link: str
-    """
-    The link that comes nearest.
-    """
-    margin_mm: int | None
-    """
-    That less S, mm.
-    """
-    s_mm: int | None
-    """
-    S, mm: rounded up; none for a sensor that does not stop the robots.
-    """
-    stands_mm: int
-    """
-    How far the safeguard is from the nearest point that a moving robot reaches, mm: rounded down.
-    """
-
-
-class Working(TypedDict):
-    """
-    A control that is worked in an action.
-    """
-
-    at_s: float
-    """
-    When the action begins, s.
-    """
-    by: ControlledBy
-    """
-    Who works it.
-    """
-    by_either: NotRequired[bool]
-    """
-    Whether either of two people may be the one who works it.
-    """
-    door: NotRequired[bool]
-    """
-    Whether it opens a door and closes it again.
-    """
-    kind: ControlKind
-    """
-    How it is worked.
-    """
-    name: str
-    """
-    Its name.
-    """
-    opens: NotRequired[bool | None]
-    """
-    Of a door: whether it is opened, or closed.
-    """
-    pressed_steps: NotRequired[int | None]
-    """
-    Of a momentary one: for how many communication steps it is pressed.
-    """
-
-
 class AgreementDiffers(TypedDict):
     """
     Different; the largest relative difference `|a - b| / max(1, |a|)`.
@@ -2233,49 +2178,6 @@ class Certificate(TypedDict):
     """
 
 
-class Checked(TypedDict):
-    """
-    What a change was held against.
-    """
-
-    around: int
-    """
-    Places around the start from which the person began, too.
-    """
-    around_complete: bool
-    """
-    Whether all sequences from there were looked at, else some.
-    """
-    complete: list[Complete]
-    """
-    The complete search from each of the cell's beginnings, the own first.
-    """
-    counterexamples: int
-    """
-    Sequences that led to a hazard after smaller changes.
-    """
-    everywhere: NotRequired[RemedyFromAnywhere | None]
-    """
-    What came of a search from anywhere, if there was one.
-    """
-    known_sequences: int
-    """
-    Sequences of the scan, for all its hazards.
-    """
-    longest_s: float
-    """
-    Longest time of known and new sequences that were tried beyond that of the cell file, s.
-    """
-    one_less: OneLess
-    """
-    What one step less leads to.
-    """
-    searched: int
-    """
-    New sequences from the start.
-    """
-
-
 class ControlRecord(TypedDict):
     """
     A control of a cell.
@@ -2380,6 +2282,48 @@ class Coverage(TypedDict):
     """
 
 
+HarmfulPose = TypedDict(
+    'HarmfulPose',
+    {
+        'actions': list[Action],
+        'begins_s': float,
+        'body_region': BodyRegion,
+        'cells': int,
+        'class': Class | None,
+        'confirmed': bool,
+        'force_n': float,
+        'heading_deg': float,
+        'histories': int,
+        'id': str,
+        'limit_n': float,
+        'posture': str,
+        'ratio': float,
+        'robot_link': str,
+        'sensors': list[SensorState],
+        'speed_m_s': float,
+        'start_heading_deg': float,
+        'start_m': list[float],
+        'time_s': float | None,
+        'walks_in': bool,
+        'xy_m': list[float],
+    },
+)
+
+
+HazardAfterChange = TypedDict(
+    'HazardAfterChange',
+    {
+        'actions': list[Action],
+        'body_region': BodyRegion,
+        'class': Class,
+        'from': InitialConditionRecord | None,
+        'ratio': float,
+        'robot_link': str,
+        'time_s': float,
+    },
+)
+
+
 class HazardChange(TypedDict):
     """
     A hazard in both scans or in one of them.
@@ -2465,55 +2409,37 @@ How two runs compare that should show the same motion.
 """
 
 
-class Others(TypedDict):
+class NextSmallerMet(TypedDict):
     """
-    What is left after a change.
+    A hazard.
     """
 
-    at_least: int
+    met: HazardAfterChange
+
+
+class Close(TypedDict):
+    change: str
     """
-    Different hazards of other causes that were met; there may be more.
+    The least of the change with which nothing was met, in words.
     """
-    checked: Checked
+    met: HazardAfterChange | None
     """
-    What it was held against.
-    """
-    complete: bool
-    """
-    Whether every sequence was looked at for hazards that are of no other cause.
-    """
-    worst: Met | None
-    """
-    The worst of them, if any was met.
+    What one step less than that leads to, if it is a hazard.
     """
 
 
-Place = TypedDict(
-    'Place',
-    {
-        'actions': list[Action],
-        'begins_s': float,
-        'body_region': BodyRegion,
-        'cells': int,
-        'class': Class | None,
-        'confirmed': bool,
-        'force_n': float,
-        'heading_deg': float,
-        'histories': int,
-        'id': str,
-        'limit_n': float,
-        'posture': str,
-        'ratio': float,
-        'robot_link': str,
-        'sensors': list[SensorState],
-        'speed_m_s': float,
-        'start_heading_deg': float,
-        'start_m': list[float],
-        'time_s': float | None,
-        'walks_in': bool,
-        'xy_m': list[float],
-    },
-)
+class NextSmallerClose(TypedDict):
+    """
+    Nothing is met with a little less, and it is too close to be shown for everybody from anywhere.
+    """
+
+    close: Close
+
+
+NextSmaller: TypeAlias = Literal['as_it_is'] | NextSmallerMet | NextSmallerNotTried | NextSmallerClose
+"""
+What the next smaller change leads to.
+"""
 
 
 class Probe(TypedDict):
@@ -2559,34 +2485,141 @@ class Probe(TypedDict):
     """
 
 
-class RemedyOutcomeSufficient(TypedDict):
+class ReachabilityResult(TypedDict):
     """
-    Nothing in the cell is hazardous any more: every sequence was looked at.
-    """
-
-    sufficient: Checked
-
-
-class RemedyOutcomeNotMet(TypedDict):
-    """
-    No hazard was met, but not everything was looked at.
+    What came out.
     """
 
-    not_met: Checked
-
-
-class RemedyOutcomeOthersRemain(TypedDict):
+    any_time: NotRequired[bool]
     """
-    The cause of this hazard is gone, other causes of the scan are not.
+    Whether what is said to be clean is so for all time, as behaviours stand for all that the FMU ever does.
+    """
+    arm_tolerance_m: float
+    """
+    The same of contacts of arms, and those with less room for the arm, m.
+    """
+    between: int
+    """
+    Cells of the floor and postures in which nobody is hit at any communication step, and somebody may be between two: robots are
+    taken to be as much nearer then as they may move in half a step.
+    """
+    between_m: list[list[float]]
+    """
+    Where those are: the middles, each once, floor plan, m.
+    """
+    body_tolerance_m: float
+    """
+    Contacts of trunk, head and legs that are harmless when the person stands no more than this elsewhere may be missed, m.
+    """
+    cell_m: float
+    """
+    Edge of the cells of the floor, m.
+    """
+    changes: int | None
+    """
+    How often what sensors report changed at most, if that was limited: coming in is one change, going out another.
+    """
+    cycle_s: float | None
+    """
+    How often the robots repeat what they do while nobody comes, s, if they did so twice until then.
+    """
+    floor: list[FloorCell]
+    """
+    Cells of the floor in which somebody who stands there is hit, row by row.
+    """
+    followed: bool
+    """
+    Whether poses that are hit at some moment were looked at in each span of time.
+    """
+    ground: Ground
+    """
+    The floor, and what the robots sweep.
+    """
+    hazards: list[HarmfulPose]
+    """
+    Of each body region and robot link the worst that was tried, the worst first.
+    """
+    histories: list[WatchedHistory]
+    """
+    What the robots did while sensors reported what they report of somebody unseen.
+    """
+    not_looked_at: int
+    """
+    Cells of the floor that were not looked at to the end, where the search ended early: nobody was found to be hit there, and not
+    everything that sensors may report was followed.
+    """
+    not_looked_at_m: list[list[float]]
+    """
+    Where those are, and what is farther out, as rectangles by low x and y and high x and y, floor plan, m.
+    """
+    obligations: Obligations
+    """
+    What the result rests on: everything that "nobody is hit" needs, shown, assumed or open.
+    """
+    open: int
+    """
+    Cells of the floor and postures of which it is not known whether anybody is hit in them.
+    """
+    open_m: list[list[float]]
+    """
+    Where something is open: the middles of those cells, each once, floor plan, m.
+    """
+    presses: NotRequired[int | None]
+    """
+    How often controls were worked at most, all together, if the cell has any that are.
+    """
+    reasons: list[str]
+    """
+    Why the absence of further hazards is not shown: the obligations that are open, in words.
+    """
+    schema_version: int
+    """
+    Version of this form, that of scan results.
+    """
+    span_s: float
+    """
+    Length of the spans of time of `floor`, s: the first begins with the FMU.
+    """
+    speed_criterion: Criterion
+    """
+    Which speed decides. With that of approach, this is about people who stand: who walks comes to the robot faster.
+    """
+    spent: AnywhereSpent
+    """
+    What it took.
+    """
+    step_tolerance_m: float
+    """
+    Contacts between two communication steps that are harmless with links that are smaller by this may be missed, m.
+    """
+    subject: Subject
+    """
+    What was looked at.
+    """
+    tool: str
+    """
+    Program and version.
+    """
+    until_s: float
+    """
+    How long after the start of the FMU, s.
+    """
+    verdict: Verdict
+    """
+    Result in one word. `none_found` is said only where no obligation is open.
+    """
+    warnings: list[str]
+    """
+    What the user should know.
     """
 
-    others_remain: Others
 
+class RemedyOutcomeOnlyLater(TypedDict):
+    """
+    No hazard is met within the time that the cell file looks at, but later.
+    """
 
-RemedyOutcome: TypeAlias = RemedyOutcomeSufficient | RemedyOutcomeNotMet | RemedyOutcomeOthersRemain | RemedyOutcomeOnlyLater | RemedyOutcomeNoAdvice | RemedyOutcomeNoHelp | RemedyOutcomeNotTried
-"""
-What came of a change.
-"""
+    only_later: HazardAfterChange
 
 
 class ReplayedHazard(TypedDict):
@@ -2598,7 +2631,7 @@ class ReplayedHazard(TypedDict):
     """
     Why there is none.
     """
-    begins: Begin | None
+    begins: InitialConditionRecord | None
     """
     Where it begins, if that is not where the cell file says.
     """
@@ -2703,7 +2736,7 @@ class Safeguard(TypedDict):
     """
     T: both together, s.
     """
-    ways: list[Way]
+    ways: list[ApproachPath]
     """
     The ways past it, that with the least room first.
     """
@@ -2850,6 +2883,49 @@ class SeparationTerms(TypedDict):
     """
 
 
+class TestedAgainst(TypedDict):
+    """
+    What a change was held against.
+    """
+
+    around: int
+    """
+    Places around the start from which the person began, too.
+    """
+    around_complete: bool
+    """
+    Whether all sequences from there were looked at, else some.
+    """
+    complete: list[ExhaustiveCheck]
+    """
+    The complete search from each of the cell's beginnings, the own first.
+    """
+    counterexamples: int
+    """
+    Sequences that led to a hazard after smaller changes.
+    """
+    everywhere: NotRequired[RemedyFromAnywhere | None]
+    """
+    What came of a search from anywhere, if there was one.
+    """
+    known_sequences: int
+    """
+    Sequences of the scan, for all its hazards.
+    """
+    longest_s: float
+    """
+    Longest time of known and new sequences that were tried beyond that of the cell file, s.
+    """
+    one_less: NextSmaller
+    """
+    What one step less leads to.
+    """
+    searched: int
+    """
+    New sequences from the start.
+    """
+
+
 class VerifiedHazard(TypedDict):
     """
     The same for programs.
@@ -2873,135 +2949,6 @@ class VerifiedHazard(TypedDict):
     """
 
 
-class Anywhere(TypedDict):
-    """
-    What came out.
-    """
-
-    any_time: NotRequired[bool]
-    """
-    Whether what is said to be clean is so for all time, as behaviours stand for all that the FMU ever does.
-    """
-    arm_tolerance_m: float
-    """
-    The same of contacts of arms, and those with less room for the arm, m.
-    """
-    between: int
-    """
-    Cells of the floor and postures in which nobody is hit at any communication step, and somebody may be between two: robots are
-    taken to be as much nearer then as they may move in half a step.
-    """
-    between_m: list[list[float]]
-    """
-    Where those are: the middles, each once, floor plan, m.
-    """
-    body_tolerance_m: float
-    """
-    Contacts of trunk, head and legs that are harmless when the person stands no more than this elsewhere may be missed, m.
-    """
-    cell_m: float
-    """
-    Edge of the cells of the floor, m.
-    """
-    changes: int | None
-    """
-    How often what sensors report changed at most, if that was limited: coming in is one change, going out another.
-    """
-    cycle_s: float | None
-    """
-    How often the robots repeat what they do while nobody comes, s, if they did so twice until then.
-    """
-    floor: list[FloorCell]
-    """
-    Cells of the floor in which somebody who stands there is hit, row by row.
-    """
-    followed: bool
-    """
-    Whether poses that are hit at some moment were looked at in each span of time.
-    """
-    ground: Ground
-    """
-    The floor, and what the robots sweep.
-    """
-    hazards: list[Place]
-    """
-    Of each body region and robot link the worst that was tried, the worst first.
-    """
-    histories: list[WatchedHistory]
-    """
-    What the robots did while sensors reported what they report of somebody unseen.
-    """
-    not_looked_at: int
-    """
-    Cells of the floor that were not looked at to the end, where the search ended early: nobody was found to be hit there, and not
-    everything that sensors may report was followed.
-    """
-    not_looked_at_m: list[list[float]]
-    """
-    Where those are, and what is farther out, as rectangles by low x and y and high x and y, floor plan, m.
-    """
-    obligations: Obligations
-    """
-    What the result rests on: everything that "nobody is hit" needs, shown, assumed or open.
-    """
-    open: int
-    """
-    Cells of the floor and postures of which it is not known whether anybody is hit in them.
-    """
-    open_m: list[list[float]]
-    """
-    Where something is open: the middles of those cells, each once, floor plan, m.
-    """
-    presses: NotRequired[int | None]
-    """
-    How often controls were worked at most, all together, if the cell has any that are.
-    """
-    reasons: list[str]
-    """
-    Why the absence of further hazards is not shown: the obligations that are open, in words.
-    """
-    schema_version: int
-    """
-    Version of this form, that of scan results.
-    """
-    span_s: float
-    """
-    Length of the spans of time of `floor`, s: the first begins with the FMU.
-    """
-    speed_criterion: Criterion
-    """
-    Which speed decides. With that of approach, this is about people who stand: who walks comes to the robot faster.
-    """
-    spent: AnywhereSpent
-    """
-    What it took.
-    """
-    step_tolerance_m: float
-    """
-    Contacts between two communication steps that are harmless with links that are smaller by this may be missed, m.
-    """
-    subject: Subject
-    """
-    What was looked at.
-    """
-    tool: str
-    """
-    Program and version.
-    """
-    until_s: float
-    """
-    How long after the start of the FMU, s.
-    """
-    verdict: Verdict
-    """
-    Result in one word. `none_found` is said only where no obligation is open.
-    """
-    warnings: list[str]
-    """
-    What the user should know.
-    """
-
-
 Cause = TypedDict(
     'Cause',
     {
@@ -3015,7 +2962,7 @@ Cause = TypedDict(
         'judged': NotRequired[Judged | None],
         'limit_n': float,
         'lines': list[Line],
-        'part': Part,
+        'part': BodyOrArm,
         'ratio': float,
         'robot': str,
         'sensors': list[SensorState],
@@ -3146,7 +3093,7 @@ Hazard = TypedDict(
         'actions': list[Action],
         'approach_m_s': float,
         'arm': Arm | None,
-        'begins': NotRequired[Begin | None],
+        'begins': NotRequired[InitialConditionRecord | None],
         'bend_fraction': float,
         'body_point_m': list[float],
         'body_region': BodyRegion,
@@ -3181,12 +3128,65 @@ Hazard = TypedDict(
         'through_curtain_s': float | None,
         'time_s': float,
         'times_found': int,
-        'worked': NotRequired[list[Working]],
+        'worked': NotRequired[list[OperatedControl]],
     },
 )
 
 
-class Remedy(TypedDict):
+class RemainingHazards(TypedDict):
+    """
+    What is left after a change.
+    """
+
+    at_least: int
+    """
+    Different hazards of other causes that were met; there may be more.
+    """
+    checked: TestedAgainst
+    """
+    What it was held against.
+    """
+    complete: bool
+    """
+    Whether every sequence was looked at for hazards that are of no other cause.
+    """
+    worst: HazardAfterChange | None
+    """
+    The worst of them, if any was met.
+    """
+
+
+class RemedyOutcomeSufficient(TypedDict):
+    """
+    Nothing in the cell is hazardous any more: every sequence was looked at.
+    """
+
+    sufficient: TestedAgainst
+
+
+class RemedyOutcomeNotMet(TypedDict):
+    """
+    No hazard was met, but not everything was looked at.
+    """
+
+    not_met: TestedAgainst
+
+
+class RemedyOutcomeOthersRemain(TypedDict):
+    """
+    The cause of this hazard is gone, other causes of the scan are not.
+    """
+
+    others_remain: RemainingHazards
+
+
+RemedyOutcome: TypeAlias = RemedyOutcomeSufficient | RemedyOutcomeNotMet | RemedyOutcomeOthersRemain | RemedyOutcomeOnlyLater | RemedyOutcomeNoAdvice | RemedyOutcomeNoHelp | RemedyOutcomeNotTried
+"""
+What came of a change.
+"""
+
+
+class RiskReduction(TypedDict):
     """
     A change of the cell against a hazard.
     """
@@ -3226,7 +3226,7 @@ class Settings(TypedDict):
     """
     How fast hands move, m/s, if arms take their time.
     """
-    begins: NotRequired[Begin | None]
+    begins: NotRequired[InitialConditionRecord | None]
     """
     Of a scan from a start: where and when the person begins.
     """
@@ -3347,7 +3347,7 @@ class Explanation(TypedDict):
     """
     How far the person stands outside the zones of sensors that do not report anybody.
     """
-    remedies: list[Remedy]
+    remedies: list[RiskReduction]
     """
     What was tried against it; empty if nothing was.
     """
@@ -3463,7 +3463,7 @@ class Commands(TypedDict):
     Each property is what the command of this name prints with `--format json`, but for the last three.
     """
 
-    anywhere: Anywhere
+    anywhere: ReachabilityResult
     """
     anywhere.json, which a scan from anywhere writes, and prints when it is asked for nothing else.
     """

@@ -9,7 +9,7 @@ use super::CampaignError;
 use super::description::Search;
 use super::values::Values;
 use crate::cell::find::OpenedCell;
-use crate::record::begin::Begin;
+use crate::record::begin::InitialConditionRecord;
 use crate::record::model::FileSubject;
 use crate::sim::answers::Share;
 
@@ -76,7 +76,7 @@ pub(crate) struct ScanEntry {
     /// Number of the beginning, from 1.
     pub beginning: usize,
     /// Where and when that is.
-    pub begins: Begin,
+    pub begins: InitialConditionRecord,
     /// How sequences are chosen.
     pub strategy: String,
     /// Seed; the cell's if there is none.
@@ -233,7 +233,7 @@ mod tests {
             body: None,
         };
         let id = |cell: CellEntry, seed: u64| {
-            let begins = Begin { xy_m: [0.0, -2.0], heading_deg: 90.0, begins_s: 0.0 };
+            let begins = InitialConditionRecord { xy_m: [0.0, -2.0], heading_deg: 90.0, begins_s: 0.0 };
             let scan = ScanEntry {
                 id: String::new(),
                 cell: 0,

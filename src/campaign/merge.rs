@@ -9,8 +9,8 @@ use super::manifest::{Manifest, Task};
 use super::part::{ANSWERS, Runner, folder_of};
 use super::sealed::{self, Kept, kept};
 use super::status::status;
-use crate::report::survey::{Outcome, Row, Survey};
-use crate::report::{survey_page, survey_pictures};
+use crate::report::survey::{Row, ScanOutcome, Survey};
+use crate::report::{survey_charts, survey_page};
 use crate::scan::Hosting;
 use crate::sim::answers::Answers;
 use crate::stop::Stop;
@@ -61,11 +61,11 @@ pub(crate) fn merge(
     let survey = Survey::new(&manifest.campaign, &manifest.tool, &manifest.sweeps, rows);
     let json = serde_json::to_string_pretty(&survey).map_err(|e| CampaignError::Ours(e.to_string()))? + "\n";
     let table = survey.csv().map_err(CampaignError::Ours)?;
-    let pictures = survey_pictures::all(&survey);
+    let pictures = survey_charts::all(&survey);
     for (name, text) in [("campaign.json", &json), ("campaign.csv", &table)] {
         sealed::write(&folder.join(name), text.as_bytes())?;
     }
-    for name in survey_pictures::NAMES {
+    for name in survey_charts::NAMES {
         let drawn = pictures.iter().find(|picture| picture.name == name);
         match drawn {
             Some(picture) => sealed::write(&folder.join(name), picture.svg.as_bytes())?,
@@ -123,7 +123,7 @@ fn row(manifest: &Manifest, scan: usize, own: &Path, bytes: &[u8]) -> Result<Row
     let entry = &manifest.scans[scan];
     let cell = &manifest.cells[entry.cell];
     let outcome =
-        Outcome::read(bytes).map_err(|e| CampaignError::Ours(format!("{} cannot be read: {e}", own.display())))?;
+        ScanOutcome::read(bytes).map_err(|e| CampaignError::Ours(format!("{} cannot be read: {e}", own.display())))?;
     Ok(Row {
         number: scan + 1,
         cell: cell.name.clone(),

@@ -7,7 +7,7 @@ use super::manifest::{CellEntry, MANIFEST, Manifest, SCHEMA, ScanEntry, hash, to
 use super::variants::{Variant, variants};
 use super::{CampaignError, sealed};
 use crate::cell::find::open;
-use crate::record::begin::Begin;
+use crate::record::begin::InitialConditionRecord;
 
 /// Most scans of a campaign.
 const MOST_SCANS: usize = 1_000_000;
@@ -37,7 +37,7 @@ pub(crate) fn plan(path: &Path, folder: &Path) -> Result<Manifest, CampaignError
         for strategy in &description.search.strategies {
             for &seed in &seeds {
                 for (number, beginning) in (1..).zip(&opened.cell.beginnings) {
-                    let begins = Begin {
+                    let begins = InitialConditionRecord {
                         xy_m: beginning.start.xy_m(),
                         heading_deg: beginning.start.heading_deg(),
                         begins_s: beginning.begins_s(step_s),

@@ -23,11 +23,11 @@ pub(crate) enum Which {
 }
 
 /// What is told meanwhile.
-pub enum Told<'a> {
+pub enum CampaignEvent<'a> {
     /// A task has its result already.
     Skipped,
     /// A task begins.
-    Begins(&'a str, &'a str),
+    TaskStarted(&'a str, &'a str),
     /// A task has ended after so many seconds.
     Done(&'a str, f64),
     /// A task has failed; the others go on.
@@ -74,7 +74,7 @@ pub(crate) fn run(
     tasks: &[Task],
     hosting: &Hosting,
     (workers, stop): (usize, &Stop),
-    tell: &(dyn Fn(Told<'_>) + Sync),
+    tell: &(dyn Fn(CampaignEvent<'_>) + Sync),
 ) -> Result<Ran, CampaignError> {
     let workers = workers.max(1);
     let (next, mut ran) = (AtomicUsize::new(0), Ran::default());
@@ -89,10 +89,10 @@ pub(crate) fn run(
             let name = manifest.name(task);
             if matches!(sealed::kept(folder, &name), sealed::Kept::Whole(..)) {
                 own.skipped += 1;
-                tell(Told::Skipped);
+                tell(CampaignEvent::Skipped);
                 continue;
             }
-            tell(Told::Begins(&name, &manifest.words(task.scan)));
+            tell(CampaignEvent::TaskStarted(&name, &manifest.words(task.scan)));
             let began = Instant::now();
             let mut go_on = |_: crate::scan::Progress<'_>| match stop.ends_search() {
                 true => ControlFlow::Break(()),
@@ -103,14 +103,14 @@ pub(crate) fn run(
                     let seconds = began.elapsed().as_secs_f64();
                     sealed::keep(folder, &name, &bytes, seconds)?;
                     own.done += 1;
-                    tell(Told::Done(&name, seconds));
+                    tell(CampaignEvent::Done(&name, seconds));
                 }
                 Ok(None) => break,
                 Err(_) if stop.is_asked() => break,
                 Err(error @ CampaignError::Machine { .. }) => return Err(error),
                 Err(error) => {
                     own.failed += 1;
-                    tell(Told::Failed(&name, error));
+                    tell(CampaignEvent::Failed(&name, error));
                 }
             }
         }

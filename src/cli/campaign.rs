@@ -11,7 +11,7 @@ use super::stopping;
 use crate::campaign::description::Description;
 use crate::campaign::merge::merge;
 use crate::campaign::plan::plan;
-use crate::campaign::run::{Told, Which, run as run_tasks};
+use crate::campaign::run::{CampaignEvent, Which, run as run_tasks};
 use crate::campaign::status::status;
 use crate::campaign::{Manifest, manifest::MANIFEST};
 use crate::report::survey::State;
@@ -28,7 +28,7 @@ enum Command {
     /// Work out which scans a campaign file asks for, and write them down with hashes of all that they depend on
     Plan(Plan),
     /// Do tasks of a planned campaign: all, those of a shard, or some by name. What is done is left out
-    Run(Run),
+    Run(RunArguments),
     /// Say what of a campaign is there and what is missing. Exit code 4 if something is
     Status(Status),
     /// Put the results together: tables, pictures, a page, and the scan.json of each scan. Exit code 1 if there are hazards
@@ -45,7 +45,7 @@ struct Plan {
 }
 
 #[derive(Debug, clap::Args)]
-struct Run {
+struct RunArguments {
     /// Folder of the campaign
     folder: PathBuf,
     /// Only every Nth task, beginning with the Ith: what one of N machines does
@@ -114,7 +114,7 @@ fn plan_it(own: &Plan) -> Result<u8, Failure> {
     Ok(exit::NO_HAZARD)
 }
 
-fn run_it(own: &Run) -> Result<u8, Failure> {
+fn run_it(own: &RunArguments) -> Result<u8, Failure> {
     let manifest = Manifest::read(&own.folder)?;
     let which = match (own.shard, own.task.as_slice()) {
         (Some((number, of)), _) => Which::Shard(number, of),
@@ -125,11 +125,11 @@ fn run_it(own: &Run) -> Result<u8, Failure> {
     let stop = Stop::default();
     let hosting = own.hosting.heeding(&stop)?;
     stopping::by_signals(&stop);
-    let tell = |told: Told<'_>| match told {
-        Told::Skipped => {}
-        Told::Begins(name, words) => output::note(&format!("   Begins  {name}: {words}")),
-        Told::Done(name, seconds) => output::note(&format!("   Done    {name} in {seconds:.1} s")),
-        Told::Failed(name, error) => {
+    let tell = |told: CampaignEvent<'_>| match told {
+        CampaignEvent::Skipped => {}
+        CampaignEvent::TaskStarted(name, words) => output::note(&format!("   Begins  {name}: {words}")),
+        CampaignEvent::Done(name, seconds) => output::note(&format!("   Done    {name} in {seconds:.1} s")),
+        CampaignEvent::Failed(name, error) => {
             output::warning(&format!("task {name} failed"));
             output::failed(&Failure::from(error));
         }

@@ -15,11 +15,11 @@ use crate::cell::workcell::{StartArea, Workcell};
 use crate::fmi::number;
 use crate::human::ControlledBy;
 use crate::record::speeds::SpeedRecord;
-use crate::report::topview;
+use crate::report::top_view;
 use crate::scan::prepare::prepare_in;
 use crate::scan::probe::{Probe, probe, run_s};
 use crate::scan::speeds::Speeds;
-use crate::scan::{Prepared, picture};
+use crate::scan::{Prepared, top_view_data};
 
 #[derive(Debug, clap::Args)]
 pub(super) struct Arguments {
@@ -44,7 +44,7 @@ pub(super) struct Arguments {
 /// What is printed as JSON.
 #[derive(Default, Serialize, JsonSchema)]
 #[schemars(rename = "Check")]
-pub(super) struct Told {
+pub(super) struct CheckOutput {
     /// What keeps the cell from being scanned.
     problems: Vec<Problem>,
     /// What else there is to know.
@@ -82,7 +82,7 @@ pub(super) fn run(arguments: &Arguments) -> Result<u8, Failure> {
     if problems.is_some() || !left.is_empty() {
         if arguments.format == Format::Json {
             all.extend(left);
-            output::json_of(&Told { problems: all, ..Told::default() })?;
+            output::json_of(&CheckOutput { problems: all, ..CheckOutput::default() })?;
             return Ok(UNUSABLE);
         }
         let count = all.len() + left.len();
@@ -96,7 +96,7 @@ pub(super) fn run(arguments: &Arguments) -> Result<u8, Failure> {
     }
     if arguments.no_run {
         match arguments.format {
-            Format::Json => output::json_of(&Told::default())?,
+            Format::Json => output::json_of(&CheckOutput::default())?,
             Format::Table => output::result(&format!("{file}: nothing wrong; the FMU was not run\n")),
         }
         return Ok(NO_HAZARD);
@@ -107,7 +107,7 @@ pub(super) fn run(arguments: &Arguments) -> Result<u8, Failure> {
     let others = (1..prepared.cell.starts.len()).map(|number| prepared.beginning(number));
     let others = others.collect::<Result<Vec<_>, _>>()?;
     let (found, run_s) = (probe(&prepared), number(run_s(&prepared)));
-    let drawn = topview::render(&picture::overview(&prepared, &others, found.as_ref().ok()));
+    let drawn = top_view::render(&top_view_data::overview(&prepared, &others, found.as_ref().ok()));
     let picture = arguments.svg.clone().unwrap_or_else(|| {
         let beside = arguments.cell.as_ref().unwrap_or(&arguments.path);
         beside.with_extension("check.svg")
@@ -130,7 +130,7 @@ pub(super) fn run(arguments: &Arguments) -> Result<u8, Failure> {
         Format::Json => {
             let probe = found.as_ref().ok().cloned();
             let problems: Vec<Problem> = lies.iter().flat_map(|first| first.each()).map(told).collect();
-            output::json_of(&Told { problems, warnings, probe, picture: Some(picture) })?;
+            output::json_of(&CheckOutput { problems, warnings, probe, picture: Some(picture) })?;
             if lies.is_some() {
                 return Ok(UNUSABLE);
             }

@@ -3,10 +3,10 @@
 use std::path::{Path, PathBuf};
 
 use super::exit::Failure;
-use super::{beginnings, output};
+use super::{initial_conditions, output};
 use crate::cell::error::nearest;
 use crate::cell::find::whole_text;
-use crate::host::selftest::Rung;
+use crate::host::selftest::StateRestore;
 use crate::record::hazard::Hazard;
 use crate::record::model::{FileSubject, FmuSubject};
 use crate::record::recorded::Recorded;
@@ -15,9 +15,9 @@ use crate::scan::{Hosting, PrepareError, Prepared};
 
 /// A recorded scan: its scan.json, or the folder with its results.
 pub(super) fn read(path: &Path) -> Result<Recorded, Failure> {
-    if beginnings::are_in(path) {
+    if initial_conditions::are_in(path) {
         let message = format!("{} holds a scan for each of the cell's beginnings", path.display());
-        let first = path.join(beginnings::folder(1));
+        let first = path.join(initial_conditions::folder(1));
         return Err(Failure::unusable_with_help(message, format!("name one of them: {}", first.display())));
     }
     Recorded::read(path).map_err(|error| Failure::unusable_with_help(&error, error.help()))
@@ -98,7 +98,7 @@ pub(super) fn prepare(scan: &mut Recorded, elsewhere: &Elsewhere, hosting: &Host
     let (prepared, free_start) = prepare_unplaced(&path, cell_file.as_deref(), hosting)?;
     match free_start {
         // It begins where the scan did.
-        Ok(()) | Err(PrepareError::NoRoom(_) | PrepareError::SeenAtTimes { .. }) => {}
+        Ok(()) | Err(PrepareError::NoRoom(_) | PrepareError::DetectedAtTimes { .. }) => {}
         Err(error) => return Err(error.into()),
     }
     let prepared = as_begun(scan, prepared)?;
@@ -134,7 +134,7 @@ fn as_begun(scan: &mut Recorded, prepared: Prepared) -> Result<Prepared, Failure
         return Ok(prepared.with_body(other));
     }
     let begins = scan.begins().unwrap_or_else(|| prepared.begins_at_once());
-    match prepared.beginning_at(begins) {
+    match prepared.initial_condition_at(begins) {
         Some(number) if other.is_none() => return Ok(prepared.beginning(number)?),
         Some(_) => {}
         None => {
@@ -196,7 +196,7 @@ fn run_of(path: &Path) -> Option<String> {
 pub(super) fn as_plainly(mut prepared: Prepared, path: &Path) -> Prepared {
     #[derive(serde::Deserialize)]
     struct Run {
-        states_by: Rung,
+        states_by: StateRestore,
     }
     let run: Option<Run> = run_of(path).and_then(|text| serde_json::from_str(&text).ok());
     prepared.rung = run.map_or(prepared.rung, |run| run.states_by.max(prepared.rung));

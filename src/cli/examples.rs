@@ -23,14 +23,14 @@ enum What {
         dir: PathBuf,
     },
     /// Export the examples and scan one: what a scan finds within seconds, and changes that help
-    Run(Run),
+    Run(ScanExampleArguments),
 }
 
 /// Enough for several hazards within seconds; looking at every sequence, as a scan does by default, takes minutes.
 const ITERATIONS: u32 = 20;
 
 #[derive(Debug, clap::Args)]
-struct Run {
+struct ScanExampleArguments {
     /// Name of the example
     #[arg(default_value = "safety-fence")]
     name: String,
@@ -68,7 +68,7 @@ fn export(dir: &Path) -> Result<Vec<PathBuf>, Failure> {
     examples::export(dir).map_err(|e| Failure::unusable(format!("cannot write to {}: {e}", dir.display())))
 }
 
-fn scan_one(run: &Run) -> Result<u8, Failure> {
+fn scan_one(run: &ScanExampleArguments) -> Result<u8, Failure> {
     if examples::by_name(&run.name).is_none() {
         let names: Vec<&str> = examples::all().iter().map(|example| example.name).collect();
         let help = format!("there are {}", names.join(", "));

@@ -2,21 +2,23 @@
 
 use std::path::PathBuf;
 
-use super::changes::Telling;
+use super::changes::ProgressPrinter;
 use super::exit::{Failure, INTERRUPTED, NO_HAZARD};
 use super::hosting::HostingArguments;
 use super::output::Format;
 use super::scan_arguments::{From, MOST_STATES, PRESSES, UNTIL, until};
 use super::{earlier, output, stopping};
 use crate::host::PlantError;
-use crate::record::advice::Remedy;
+use crate::record::advice::RiskReduction;
 use crate::record::hazard::Hazard;
-use crate::report::verified::Outcome;
-use crate::scan::anywhere::Until;
+use crate::report::verified::VerifiedOutcome;
 use crate::scan::explain::explain;
-use crate::scan::remedy::{Effort, Everywhere, MILLIONS, Purse, STATES, remedies};
+use crate::scan::reachability::Until;
+use crate::scan::risk_reduction::{
+    ExhaustiveBudget, MILLIONS, ReachabilityBudget, RiskReductionBudget, STATES, risk_reductions,
+};
 use crate::scan::verify::Again;
-use crate::scan::{Prepared, ScanError, StateChoice, film};
+use crate::scan::{Prepared, ScanError, StateChoice, replay};
 use crate::stop::Stop;
 
 #[derive(Debug, clap::Args)]
@@ -78,15 +80,15 @@ pub(super) fn run(arguments: &Arguments) -> Result<u8, Failure> {
     stopping::by_signals(&stop);
     match Again::new(&prepared, &recorded)?.verify(hazard)?.outcome {
         _ if stop.is_asked() => return Ok(INTERRUPTED),
-        Outcome::NotRun { cause } => return Err(Failure::running(format!("the FMU failed: {cause}"))),
-        Outcome::StillThere { body_region, robot_link, .. }
+        VerifiedOutcome::NotRun { cause } => return Err(Failure::running(format!("the FMU failed: {cause}"))),
+        VerifiedOutcome::StillThere { body_region, robot_link, .. }
             if body_region == hazard.body_region.to_string() && robot_link == hazard.robot_link => {}
         other => return Err(gone(hazard, &prepared, other)),
     }
     let failed = |cause| Failure::from(ScanError { cause });
     let there = prepared.of_hazard(hazard)?;
     let mut simulation = there.simulation(StateChoice::Auto, false).map_err(failed)?;
-    let watched = match film::watch(&mut simulation, &there, hazard) {
+    let watched = match replay::watch(&mut simulation, &there, hazard) {
         Err(error) if error.stopped => return Ok(INTERRUPTED),
         watched => watched.map_err(failed)?,
     };
@@ -122,9 +124,9 @@ pub(super) fn run(arguments: &Arguments) -> Result<u8, Failure> {
 }
 
 /// That a hazard is not there any more, and why.
-fn gone(hazard: &Hazard, prepared: &Prepared, outcome: Outcome) -> Failure {
+fn gone(hazard: &Hazard, prepared: &Prepared, outcome: VerifiedOutcome) -> Failure {
     let now = match outcome {
-        Outcome::StillThere { body_region, robot_link, .. } => {
+        VerifiedOutcome::StillThere { body_region, robot_link, .. } => {
             format!("its sequences lead to {body_region} <- {robot_link} now")
         }
         outcome => outcome.words(),
@@ -142,15 +144,15 @@ fn changes(
     prepared: &Prepared,
     hazard: &Hazard,
     known: &[Hazard],
-) -> Result<Vec<Remedy>, PlantError> {
-    let usual = Effort::usual();
-    let everywhere = (from != Some(From::Start) && !arguments.quick).then(|| Everywhere {
+) -> Result<Vec<RiskReduction>, PlantError> {
+    let usual = RiskReductionBudget::usual();
+    let everywhere = (from != Some(From::Start) && !arguments.quick).then(|| ReachabilityBudget {
         until: arguments.until.unwrap_or(UNTIL),
         presses: PRESSES,
         states: MOST_STATES,
-        searches: if arguments.complete { u32::MAX } else { Everywhere::OF_ONE },
+        searches: if arguments.complete { u32::MAX } else { ReachabilityBudget::OF_ONE },
     });
-    let within = Effort {
+    let within = RiskReductionBudget {
         everywhere,
         iterations: arguments.iterations,
         work: u64::from(arguments.max_work) * 1_000_000,
@@ -160,6 +162,6 @@ fn changes(
         ..usual
     };
     let effort = if arguments.complete { within.without_end() } else { within };
-    let telling = Telling::new(true);
-    remedies(prepared, hazard, known, effort, &mut Purse::new(&effort), &|told| telling.hear(&told))
+    let telling = ProgressPrinter::new(true);
+    risk_reductions(prepared, hazard, known, effort, &mut ExhaustiveBudget::new(&effort), &|told| telling.hear(&told))
 }

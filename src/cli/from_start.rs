@@ -5,13 +5,13 @@ use std::path::Path;
 use std::sync::Arc;
 use std::time::Instant;
 
-use super::changes::Telling;
+use super::changes::ProgressPrinter;
 use super::exit::{self, Failure};
 use super::output::{self, Format};
 use super::run::Run;
 use super::search_progress::{LOG, Shown};
-use super::{beginnings, earlier, results, resume};
-use crate::host::selftest::Rung;
+use super::{earlier, initial_conditions, results, resume};
+use crate::host::selftest::StateRestore;
 use crate::record::model::{ScanReport, Verdict};
 use crate::report::baseline::Baseline;
 use crate::report::terminal;
@@ -35,7 +35,7 @@ impl Run<'_> {
         out: &Path,
         keeps: bool,
     ) -> Result<u8, Failure> {
-        let mut table = beginnings::Table::begun(out, &all[0].subject, self.goes_on);
+        let mut table = initial_conditions::Table::initial_condition_of(out, &all[0].subject, self.goes_on);
         table.keep(out)?;
         let mut left = all.iter().filter(|prepared| !table.has(prepared.cell.beginning + 1)).count();
         for (prepared, baseline) in all.iter().zip(baselines) {
@@ -51,7 +51,7 @@ impl Run<'_> {
             if let Some(beginning) = &prepared.subject.beginning {
                 output::note(&format!("   Begins  {number} of {}: {}", all.len(), beginning.words()));
             }
-            let own = out.join(beginnings::folder(number));
+            let own = out.join(initial_conditions::folder(number));
             let (hazards, code) = match self.one(prepared, baseline.as_ref(), &own, keeps) {
                 Ok(Ended { report, code }) => (report.hazards, code),
                 // The others are searched all the same.
@@ -89,7 +89,7 @@ impl Run<'_> {
         let from = format!("the start, beginning {}", prepared.cell.beginning + 1);
         let kept = || resume::answers(out, prepared, &from, self.goes_on, &[]);
         let answers = Arc::new(if keeps { kept()? } else { Answers::default() });
-        let before = self.goes_on.then(|| Before::of(out)).flatten();
+        let before = self.goes_on.then(|| InterruptedScan::of(out)).flatten();
         let mut shown = Shown::new(prepared, &options, stop, out)?;
         let mut tell = |event: Progress<'_>| {
             shown.hear(event);
@@ -142,7 +142,7 @@ impl Run<'_> {
 
     /// Looks for changes that would be enough, and says whether there is something new to write: whoever interrupts that has
     /// all but it.
-    fn advise(&self, prepared: &Prepared, rung: Rung, report: &mut ScanReport) -> bool {
+    fn advise(&self, prepared: &Prepared, rung: StateRestore, report: &mut ScanReport) -> bool {
         let stop = self.stop;
         let how = self
             .arguments
@@ -150,7 +150,7 @@ impl Run<'_> {
             .filter(|_| !report.causes.is_empty() && !stop.ends_search());
         let Some(how) = how else { return false };
         output::note("   Looking for changes that would be enough. Ctrl-C ends that and keeps the results");
-        let telling = Telling::new(false);
+        let telling = ProgressPrinter::new(false);
         stop.searching();
         let advised = advise(prepared, rung, report, how, &|told| telling.hear(&told));
         stop.finishing();
@@ -165,12 +165,12 @@ impl Run<'_> {
 }
 
 /// What an interrupted scan left, for one that goes on with it and is interrupted before it comes as far.
-struct Before {
+struct InterruptedScan {
     hazards: Vec<String>,
     log: String,
 }
 
-impl Before {
+impl InterruptedScan {
     /// In this folder, if there is a result.
     fn of(out: &Path) -> Option<Self> {
         let recorded = earlier::read(out).ok()?;

@@ -2,8 +2,6 @@
 
 #![allow(rustdoc::invalid_html_tags, reason = "what is documented of arguments is their help, which is no HTML")]
 
-mod anywhere;
-mod beginnings;
 mod bench;
 mod bench_format;
 mod campaign;
@@ -20,6 +18,7 @@ mod from_start;
 mod help;
 mod hosting;
 mod init;
+mod initial_conditions;
 mod inspect;
 mod introduction;
 mod manual;
@@ -27,6 +26,7 @@ mod merge_by;
 mod output;
 mod pack;
 mod printed;
+mod reachability;
 mod recording;
 mod reference;
 mod replay;

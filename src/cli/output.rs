@@ -26,12 +26,12 @@ pub(super) struct Verbosity {
     verbose: bool,
     /// How progress, notes, warnings and errors are told on standard error
     #[arg(long, global = true, value_enum, default_value_t, value_name = "HOW", conflicts_with = "quiet")]
-    progress: Telling,
+    progress: StderrFormat,
 }
 
 /// How standard error is written.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, ValueEnum)]
-enum Telling {
+enum StderrFormat {
     /// For people
     #[default]
     Text,
@@ -49,7 +49,7 @@ impl Verbosity {
     pub(super) fn apply(self) {
         QUIET.store(self.quiet, Ordering::Relaxed);
         VERBOSE.store(self.verbose, Ordering::Relaxed);
-        EVENTS.store(self.progress == Telling::Json, Ordering::Relaxed);
+        EVENTS.store(self.progress == StderrFormat::Json, Ordering::Relaxed);
     }
 }
 
@@ -58,13 +58,13 @@ fn quiet() -> bool {
 }
 
 /// Whether a program reads standard error.
-fn told_as_events() -> bool {
+fn prints_events() -> bool {
     EVENTS.load(Ordering::Relaxed)
 }
 
 /// Whether somebody watches bars.
 fn has_bars() -> bool {
-    std::io::stderr().is_terminal() && !quiet() && !told_as_events()
+    std::io::stderr().is_terminal() && !quiet() && !prints_events()
 }
 
 /// How a result is printed.
@@ -121,7 +121,7 @@ fn safe_json(text: &str) -> String {
 /// Tells a program something, in a line. Without a reader this process is asked to end, as somebody at a terminal would.
 pub(super) fn event(event: &Event<'_>) {
     static GONE: AtomicBool = AtomicBool::new(false);
-    if !told_as_events() {
+    if !prints_events() {
         return;
     }
     let Ok(line) = serde_json::to_string(event) else { return };
@@ -171,7 +171,7 @@ pub(super) fn phase(text: &str) {
             *phase = Some(Phase { text: text.to_owned(), since: now, printed: now, silent: true });
             if !quiet() {
                 // Ends with the program.
-                let tell = if told_as_events() { each_phase } else { still_there };
+                let tell = if prints_events() { each_phase } else { still_there };
                 let _ = std::thread::Builder::new().name("still-there".to_owned()).spawn(tell);
             }
         }
@@ -215,7 +215,7 @@ fn still_there() {
 
 /// Prints a message between other lines, on a terminal with a bar too.
 pub(super) fn interlude(text: &str) {
-    if std::io::stderr().is_terminal() && !told_as_events() {
+    if std::io::stderr().is_terminal() && !prints_events() {
         note("");
     }
     note(text);
@@ -228,7 +228,7 @@ pub(super) fn note(text: &str) {
     {
         (phase.printed, phase.silent) = (Instant::now(), false);
     }
-    if told_as_events() {
+    if prints_events() {
         event(&Event::Note { text: text.trim() });
     } else if !quiet() {
         let _ = writeln!(std::io::stderr().lock(), "{}", safe(text));
@@ -249,7 +249,7 @@ pub(super) fn detail(text: &str) {
 
 /// Prints what may make a result mean something else.
 pub(super) fn warning(text: &str) {
-    if told_as_events() {
+    if prints_events() {
         return event(&Event::Warning { text: text.trim() });
     }
     let _ = writeln!(std::io::stderr().lock(), "   Warning {}", safe(text));
@@ -257,7 +257,7 @@ pub(super) fn warning(text: &str) {
 
 /// Prints an error.
 pub(super) fn error(text: &str) {
-    if told_as_events() {
+    if prints_events() {
         return event(&Event::Error { text: text.trim() });
     }
     let _ = writeln!(std::io::stderr().lock(), "Error: {}", safe(text.trim()));
@@ -328,7 +328,7 @@ impl Progress {
 
     /// `done` of the total, with a word on what came out so far.
     pub(super) fn at(&mut self, done: u64, message: &str) {
-        if told_as_events() {
+        if prints_events() {
             let Self { total, unit, .. } = *self;
             if total > 1 && self.told.again(done == total) {
                 event(&Event::Progress { done, total, unit, text: message });
@@ -378,7 +378,7 @@ impl Levels {
         if quiet() {
             return;
         }
-        if told_as_events() {
+        if prints_events() {
             if self.events.again(done == of) {
                 let text = &format!("action {number} of {horizon}: {message}");
                 event(&Event::Progress { done: done as u64, total: of as u64, unit: "states", text });

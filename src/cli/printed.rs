@@ -5,8 +5,8 @@ use schemars::generate::SchemaSettings;
 use serde::Serialize;
 
 use super::{check, events, replay};
-use crate::record::anywhere::Anywhere;
 use crate::record::model::ScanReport;
+use crate::record::reachability::ReachabilityResult;
 use crate::report::difference::Difference;
 use crate::report::distance::Distances;
 use crate::report::explanation::Explanation;
@@ -18,7 +18,7 @@ struct Commands<'a> {
     /// `scan`: scan.json, as in the schema of its own.
     scan: ScanReport,
     /// `check`.
-    check: check::Told,
+    check: check::CheckOutput,
     /// `distance`.
     distance: Distances,
     /// `explain`.
@@ -32,7 +32,7 @@ struct Commands<'a> {
     /// A line on standard error of any command with `--progress json`.
     progress: events::Event<'a>,
     /// anywhere.json, which a scan from anywhere writes, and prints when it is asked for nothing else.
-    anywhere: Anywhere,
+    anywhere: ReachabilityResult,
 }
 
 /// Their schema.

@@ -5,7 +5,7 @@ use std::path::Path;
 use super::exit::Failure;
 use crate::record::hazard::Hazard;
 use crate::report::mcap::{self, Recording};
-use crate::scan::{Prepared, ScanError, StateChoice, film};
+use crate::scan::{Prepared, ScanError, StateChoice, replay};
 
 /// Refuses what cannot be recorded before anything is simulated.
 pub(super) fn possible(hazards: usize, file: &Path) -> Result<(), Failure> {
@@ -22,13 +22,13 @@ pub(super) fn possible(hazards: usize, file: &Path) -> Result<(), Failure> {
 pub(super) fn write(prepared: &Prepared, hazard: &Hazard, file: &Path) -> Result<(), Failure> {
     let failed = |cause| Failure::from(ScanError { cause });
     let mut simulation = prepared.simulation(StateChoice::Replay, false).map_err(failed)?;
-    let watched = film::watch(&mut simulation, prepared, hazard).map_err(failed)?;
-    let trace = film::trace(prepared, &watched).map_err(failed)?;
+    let watched = replay::watch(&mut simulation, prepared, hazard).map_err(failed)?;
+    let trace = replay::trace(prepared, &watched).map_err(failed)?;
     let recording = Recording {
         hazard,
         subject: &prepared.subject,
-        scenery: &film::scenery(prepared),
-        replay: &film::replay(prepared, hazard, &watched, String::new()),
+        scenery: &replay::scenery(prepared),
+        replay: &replay::record(prepared, hazard, &watched, String::new()),
         trace: trace.as_ref(),
     };
     let cannot = |error: &dyn std::fmt::Display| Failure::unusable(format!("cannot write {}: {error}", file.display()));

@@ -14,7 +14,7 @@ use super::hosting::HostingArguments;
 use super::output::Format;
 use super::{earlier, output, recording};
 use crate::hazard::Finding;
-use crate::record::begin::Begin;
+use crate::record::begin::InitialConditionRecord;
 use crate::record::hazard::Hazard;
 use crate::record::recorded::Recorded;
 use crate::report::verified::Standing;
@@ -32,11 +32,11 @@ pub(super) struct Replayed {
     /// What came of it.
     result: Reproduction,
     /// The contact as it was recorded.
-    recorded: Met,
+    recorded: ReplayedContact,
     /// The contact now, if there is an unsafe one.
-    now: Option<Met>,
+    now: Option<ReplayedContact>,
     /// Where it begins, if that is not where the cell file says.
-    begins: Option<Begin>,
+    begins: Option<InitialConditionRecord>,
     /// Why there is none.
     because: Option<String>,
 }
@@ -56,7 +56,7 @@ enum Reproduction {
 /// A contact.
 #[derive(Clone, Debug, Serialize, JsonSchema)]
 #[schemars(rename = "ReplayedContact")]
-struct Met {
+struct ReplayedContact {
     /// Force by the speed that decides, N.
     force_n: f64,
     /// When, s.
@@ -67,7 +67,7 @@ struct Met {
     robot_link: String,
 }
 
-impl Met {
+impl ReplayedContact {
     fn words(&self) -> String {
         let Self { force_n, time_s, body_region, robot_link } = self;
         format!("{force_n:.3} N at {time_s:.3} s ({body_region} <- {robot_link})")
@@ -164,7 +164,7 @@ pub(super) fn run(arguments: &Arguments) -> Result<u8, Failure> {
 
 /// A hazard once more.
 fn again(prepared: &Prepared, hazard: &Hazard, recording: Option<&Path>) -> Result<Replayed, Failure> {
-    let recorded = Met {
+    let recorded = ReplayedContact {
         force_n: hazard.deciding_force_n(),
         time_s: hazard.time_s,
         body_region: hazard.body_region,
@@ -203,7 +203,7 @@ fn again(prepared: &Prepared, hazard: &Hazard, recording: Option<&Path>) -> Resu
         return Ok(replayed(Reproduction::NotReproduced, None, Some(because)));
     };
     let contact = &found.contact;
-    let now = Met {
+    let now = ReplayedContact {
         force_n: contact.deciding_force_n(),
         time_s: found.time_s,
         body_region: contact.region,

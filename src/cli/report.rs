@@ -8,7 +8,7 @@ use super::{earlier, output, results, stopping};
 use crate::record::model::Headline;
 use crate::report::page;
 use crate::scan::causes::causes;
-use crate::scan::film;
+use crate::scan::replay;
 use crate::stop::Stop;
 
 #[derive(Debug, clap::Args)]
@@ -65,7 +65,7 @@ pub(super) fn run(arguments: &Arguments) -> Result<u8, Failure> {
     let reproduce = earlier::reproduce(&arguments.scan)
         .unwrap_or_else(|| format!("fmi-hazard scan {}", recorded.subject.path.display()));
     let page =
-        page::render(&scan, &subject.title(), &reproduce, &assessments, &film::scenery(&prepared), &replays, None);
+        page::render(&scan, &subject.title(), &reproduce, &assessments, &replay::scenery(&prepared), &replays, None);
     let out = arguments.out.clone().unwrap_or_else(|| recorded.folder.join("report.html"));
     output::write_file(&out, &page.map_err(Failure::unusable)?)?;
     output::note(&format!(" Report  {} with {} replays", out.display(), replays.len()));

@@ -7,22 +7,22 @@ use percent_encoding::{AsciiSet, CONTROLS, utf8_percent_encode};
 use super::exit::Failure;
 use super::output;
 use crate::cell::workcell::Link;
-use crate::host::Effort;
-use crate::host::isolation::LastWords;
-use crate::host::selftest::Rung;
-use crate::record::anywhere::Anywhere;
+use crate::host::FmuUsage;
+use crate::host::isolation::LastLines;
+use crate::host::selftest::StateRestore;
 use crate::record::cause::Cause;
 use crate::record::hazard::Hazard;
 use crate::record::model::ScanReport;
+use crate::record::reachability::ReachabilityResult;
 use crate::report::assessment::{self, Assessments};
 use crate::report::baseline::Baseline;
 use crate::report::page::Replay;
 use crate::report::sarif::{self, CellFile};
-use crate::report::{csv, junit, page, topview, trace};
+use crate::report::{csv, junit, page, top_view, trace};
+use crate::scan::initial_condition::Runs;
 use crate::scan::moved;
-use crate::scan::there::Runs;
-use crate::scan::{Prepared, StateChoice, film, picture};
-use crate::sim::simulation::Watched;
+use crate::scan::{Prepared, StateChoice, replay, top_view_data};
+use crate::sim::simulation::RecordedRun;
 use path_clean::clean;
 
 /// Most hazards for which a picture is drawn and a trace is written.
@@ -36,7 +36,7 @@ pub(super) struct Context<'a> {
     /// The cell that was scanned.
     pub prepared: &'a Prepared,
     /// How its states were brought back.
-    pub rung: Rung,
+    pub rung: StateRestore,
     /// What was scanned, as given: the cell file, or an FMU.
     pub path: &'a Path,
     /// The command that gives the same result, in the folder of the results.
@@ -46,7 +46,7 @@ pub(super) struct Context<'a> {
     /// What people decided.
     pub assessments: &'a Assessments,
     /// What is known of people from anywhere, if that was looked at.
-    pub whole: Option<&'a Anywhere>,
+    pub whole: Option<&'a ReachabilityResult>,
 }
 
 /// What people decided about this cell's hazards.
@@ -77,7 +77,7 @@ pub(super) fn write(report: &ScanReport, context: &Context<'_>, out: &Path) -> R
     let log = sarif::render(report, &cell_file(context), context.baseline);
     output::write_file(&out.join("hazards.sarif"), &(output::pretty(&log)?))?;
     let replays = write_hazards(report, context, out)?;
-    let scenery = film::scenery(context.prepared);
+    let scenery = replay::scenery(context.prepared);
     let title = report.subject.title();
     let page = page::render(report, &title, context.reproduce, context.assessments, &scenery, &replays, context.whole);
     output::write_file(&out.join("report.html"), &page.map_err(Failure::unusable)?)?;
@@ -93,7 +93,7 @@ fn write_hazards(report: &ScanReport, context: &Context<'_>, out: &Path) -> Resu
             return Ok(());
         }
         output::write_file(&out.join(format!("{}.svg", hazard.id)), svg)?;
-        let traced = match film::trace(there, watched) {
+        let traced = match replay::trace(there, watched) {
             Ok(trace) => trace,
             Err(error) => {
                 if !error.stopped {
@@ -114,16 +114,16 @@ fn write_hazards(report: &ScanReport, context: &Context<'_>, out: &Path) -> Resu
 /// The replays of hazards, each of whose sequences is run once more; `each` hears of it, with the picture from above.
 pub(super) fn replays(
     prepared: &Prepared,
-    rung: Rung,
+    rung: StateRestore,
     hazards: &[&Hazard],
-    mut each: impl FnMut(usize, &Hazard, (&Prepared, &Watched), &str) -> Result<(), Failure>,
+    mut each: impl FnMut(usize, &Hazard, (&Prepared, &RecordedRun), &str) -> Result<(), Failure>,
 ) -> Result<Vec<Replay>, Failure> {
     let mut replays = Vec::new();
     if hazards.is_empty() {
         return Ok(replays);
     }
     // As a hazard is confirmed: no saved state is relied on here.
-    let plainly = if rung == Rung::Processes { StateChoice::Process } else { StateChoice::Replay };
+    let plainly = if rung == StateRestore::Processes { StateChoice::Process } else { StateChoice::Replay };
     let untold = |from: usize| {
         let of = hazards.len();
         output::note(&format!("   Stopped: {} of {of} hazards have no picture and no replay in the report", of - from));
@@ -153,9 +153,9 @@ pub(super) fn replays(
                 continue;
             }
         };
-        let svg = topview::render(&picture::scene(&there, hazard, &watched));
+        let svg = top_view::render(&top_view_data::scene(&there, hazard, &watched));
         each(number, hazard, (&there, &watched), &svg)?;
-        replays.push(film::replay(&there, hazard, &watched, svg));
+        replays.push(replay::record(&there, hazard, &watched, svg));
     }
     Ok(replays)
 }
@@ -180,8 +180,8 @@ const MOST_FAILURES: usize = 1;
 /// How the scan went, which is no result: run.json, and what the FMU printed.
 pub(super) fn write_run(
     prepared: &Prepared,
-    rung: Rung,
-    (effort, remembered): (Effort, u64),
+    rung: StateRestore,
+    (effort, remembered): (FmuUsage, u64),
     reproduce: &str,
     out: &Path,
 ) -> Result<(), Failure> {
@@ -198,7 +198,7 @@ pub(super) fn write_run(
     });
     let text = output::pretty(&run)?;
     output::write_file(&out.join("run.json"), &text)?;
-    for LastWords { failure, printed } in failures.iter().take(MOST_FAILURES) {
+    for LastLines { failure, printed } in failures.iter().take(MOST_FAILURES) {
         output::note(&format!(
             "   Note    {failure}. The last lines that it printed:\n             {}",
             printed.join("\n             ")

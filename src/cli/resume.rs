@@ -9,7 +9,7 @@ use super::exit::Failure;
 use super::output;
 use crate::record::recorded::found;
 use crate::scan::Prepared;
-use crate::scan::moved::seen_from;
+use crate::scan::moved::relative_to;
 use crate::sim::answers::Answers;
 
 /// The command line of a scan, and where it was given.
@@ -51,7 +51,7 @@ impl Command {
 
     /// Writes it into the folder of the results.
     pub(super) fn write(&self, out: &Path) -> Result<(), Failure> {
-        let command = Self { folder: seen_from(&self.folder, out).into(), ..self.clone() };
+        let command = Self { folder: relative_to(&self.folder, out).into(), ..self.clone() };
         output::write_file(&out.join(COMMAND), &output::pretty(&command)?)
     }
 }
@@ -96,7 +96,7 @@ fn subject(prepared: &Prepared, from: &str) -> String {
         prepared.subject.cell_sha256,
         files.collect::<String>(),
         fmus.join(" "),
-        prepared.tells_states_by_bytes()
+        prepared.compares_states_by_bytes()
     )
 }
 

@@ -5,9 +5,9 @@ use std::time::{Duration, Instant};
 
 use super::exit::{self, Failure};
 use super::scan_arguments::Arguments;
-use super::{beginnings, earlier, output};
+use super::{earlier, initial_conditions, output};
 use crate::cell::file::validate::BASELINE;
-use crate::record::model::{BeginningSubject, ScanReport, Verdict};
+use crate::record::model::{NumberedInitialCondition, ScanReport, Verdict};
 use crate::report::assessment::Assessments;
 use crate::report::baseline::Baseline;
 use crate::scan::{Prepared, moved};
@@ -66,7 +66,7 @@ impl Run<'_> {
     pub(super) fn baseline(
         &self,
         prepared: &Prepared,
-        beginning: Option<&BeginningSubject>,
+        beginning: Option<&NumberedInitialCondition>,
     ) -> Result<Option<Baseline>, Failure> {
         if self.arguments.write_baseline {
             return Ok(None);
@@ -79,12 +79,12 @@ impl Run<'_> {
     }
 
     /// The baseline: what the command line says, else what the cell says.
-    fn baseline_path(&self, prepared: &Prepared, beginning: Option<&BeginningSubject>) -> Option<PathBuf> {
+    fn baseline_path(&self, prepared: &Prepared, beginning: Option<&NumberedInitialCondition>) -> Option<PathBuf> {
         let own = || prepared.cell.baseline.as_ref().map(|name| self.cell_path.with_file_name(name));
         let path = self.arguments.baseline.clone().or_else(own)?;
         // The folder with a scan's results, as everywhere.
-        Some(if beginnings::are_in(&path) {
-            match beginnings::same_in(&path, beginning) {
+        Some(if initial_conditions::are_in(&path) {
+            match initial_conditions::same_in(&path, beginning) {
                 Ok(found) => found?.join("scan.json"),
                 // Reading it tells what is wrong with it.
                 Err(table) => table,

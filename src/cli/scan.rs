@@ -13,7 +13,7 @@ use super::resume::{self, Command};
 use super::run::{Run, file_name};
 pub(super) use super::scan_arguments::Arguments;
 use super::scan_arguments::From;
-use super::{anywhere, beginnings, results, stopping};
+use super::{initial_conditions, reachability, results, stopping};
 use crate::scan::Prepared;
 use crate::scan::prepare::prepare_in;
 use crate::scan::probe::wrong_polarities;
@@ -61,7 +61,7 @@ fn run_as(arguments: &Arguments, command: Option<Command>, goes_on: bool) -> Res
     if from == From::Anywhere {
         let several = false;
         let run = Run { arguments, path, cell_path, assessments: &assessments, stop: &stop, began, goes_on, several };
-        return anywhere::run(&run, &prepared, command.as_ref());
+        return reachability::run(&run, &prepared, command.as_ref());
     }
     let all = beginnings_of(arguments, &prepared)?;
     let several = all.len() > 1;
@@ -71,7 +71,7 @@ fn run_as(arguments: &Arguments, command: Option<Command>, goes_on: bool) -> Res
     let out = arguments.out.clone().unwrap_or_else(|| own_folder(arguments, &prepared));
     let cannot = |e: std::io::Error| Failure::unusable(format!("cannot write results to {}: {e}", out.display()));
     std::fs::create_dir_all(&out).map_err(cannot)?;
-    anywhere::forget(&out);
+    reachability::forget(&out);
     output::event(&Event::Results { folder: out.display().to_string() });
     if let Some(command) = &command {
         command.write(&out)?;
@@ -80,7 +80,7 @@ fn run_as(arguments: &Arguments, command: Option<Command>, goes_on: bool) -> Res
     let keeps = command.is_some();
     let baselines = all.iter().map(|prepared| run.baseline(prepared, prepared.subject.beginning.as_ref()));
     let baselines = baselines.collect::<Result<Vec<_>, _>>()?;
-    let whole = if from == From::Both { anywhere::first(&run, &prepared, &out, keeps)? } else { None };
+    let whole = if from == From::Both { reachability::first(&run, &prepared, &out, keeps)? } else { None };
     if whole == Some(exit::INTERRUPTED) {
         output::note(&format!(" Go on: fmi-hazard scan --resume {}", out.display()));
         return Ok(exit::INTERRUPTED);
@@ -88,7 +88,7 @@ fn run_as(arguments: &Arguments, command: Option<Command>, goes_on: bool) -> Res
     let code = if several {
         run.all(&all, &baselines, &out, keeps)?
     } else {
-        beginnings::forget(&out);
+        initial_conditions::forget(&out);
         if let Some(time) = run.time_left() {
             stop.within(time);
         }
@@ -150,7 +150,7 @@ fn beginnings_of(arguments: &Arguments, prepared: &Prepared) -> Result<Vec<Prepa
 fn own_folder(arguments: &Arguments, prepared: &Prepared) -> PathBuf {
     let of_cell = Path::new("out").join(file_name(&prepared.cell.name));
     match arguments.begin.filter(|_| prepared.cell.beginnings.len() > 1) {
-        Some(number) => of_cell.join(beginnings::folder(number as usize)),
+        Some(number) => of_cell.join(initial_conditions::folder(number as usize)),
         None => of_cell,
     }
 }

@@ -12,10 +12,10 @@ use super::merge_by::MergeBy;
 use super::output::Format;
 use crate::cell::Workcell;
 use crate::cell::file::format::{PeopleFrom, SearchTable};
-use crate::scan::anywhere::Until;
-use crate::scan::moved::seen_from;
+use crate::scan::moved::relative_to;
 use crate::scan::options::Method;
-use crate::scan::remedy::{Effort, Everywhere};
+use crate::scan::reachability::Until;
+use crate::scan::risk_reduction::{ReachabilityBudget, RiskReductionBudget};
 use crate::scan::{Exhaustive, ScanOptions, StateChoice, StrategyName};
 use crate::search::exhaustive::Budget;
 use crate::sim::answers::Share;
@@ -339,17 +339,17 @@ impl Arguments {
 
     /// How hard changes against what is found are looked for; not at all in a cell with `several` beginnings. From anywhere too where the
     /// scan is.
-    pub(super) fn advice(&self, cell: &Workcell, several: bool) -> Option<Effort> {
-        let usual = Effort::usual();
+    pub(super) fn advice(&self, cell: &Workcell, several: bool) -> Option<RiskReductionBudget> {
+        let usual = RiskReductionBudget::usual();
         let workers = self.exhaustive.workers.unwrap_or(usual.workers);
         let from_anywhere = matches!(self.people_from(cell), From::Anywhere | From::Both);
-        let everywhere = from_anywhere.then(|| Everywhere {
+        let everywhere = from_anywhere.then(|| ReachabilityBudget {
             until: self.until(),
             presses: self.presses,
             states: self.most_states(),
-            searches: Everywhere::OF_A_SCAN,
+            searches: ReachabilityBudget::OF_A_SCAN,
         });
-        (!self.no_advice && !several).then_some(Effort { workers, everywhere, ..usual })
+        (!self.no_advice && !several).then_some(RiskReductionBudget { workers, everywhere, ..usual })
     }
 
     /// The longest time.
@@ -366,13 +366,13 @@ impl Arguments {
         beginning: Option<usize>,
         options: Option<&ScanOptions>,
     ) -> String {
-        let mut words = vec!["fmi-hazard".to_owned(), "scan".to_owned(), seen_from(path, out)];
+        let mut words = vec!["fmi-hazard".to_owned(), "scan".to_owned(), relative_to(path, out)];
         let mut add = |option: &str, value: Option<String>| {
             words.push(option.to_owned());
             words.extend(value);
         };
         if let Some(cell) = &self.cell {
-            add("--cell", Some(seen_from(cell, out)));
+            add("--cell", Some(relative_to(cell, out)));
         }
         if let Some(number) = beginning {
             add("--begin", Some(number.to_string()));

@@ -2,10 +2,10 @@
 //! report.
 
 use super::prepare::Prepared;
-use super::remedy::{Effort, Purse, Told, remedies};
+use super::risk_reduction::{ExhaustiveBudget, RiskReductionBudget, RiskReductionEvent, risk_reductions};
 use crate::host::PlantError;
-use crate::host::selftest::Rung;
-use crate::record::advice::Remedy;
+use crate::host::selftest::StateRestore;
+use crate::record::advice::RiskReduction;
 use crate::record::cause::{CauseAdvice, Change};
 use crate::record::model::ScanReport;
 
@@ -20,14 +20,14 @@ const CAUSES: usize = 3;
 /// When the FMU fails in the cell as it is; what was found by then is in the report.
 pub fn advise(
     prepared: &Prepared,
-    rung: Rung,
+    rung: StateRestore,
     report: &mut ScanReport,
-    effort: Effort,
-    tell: &(dyn Fn(Told<'_>) + Sync),
-) -> Result<Vec<(usize, Vec<Remedy>)>, PlantError> {
+    effort: RiskReductionBudget,
+    tell: &(dyn Fn(RiskReductionEvent<'_>) + Sync),
+) -> Result<Vec<(usize, Vec<RiskReduction>)>, PlantError> {
     let Ok(mut plainly) = prepared.beginning(prepared.cell.beginning) else { return Ok(Vec::new()) };
     plainly.rung = plainly.rung.max(rung);
-    let mut purse = Purse::new(&effort);
+    let mut purse = ExhaustiveBudget::new(&effort);
     let mut found = Vec::new();
     let mut for_all: Vec<Change> = Vec::new();
     for (number, cause) in report.causes.iter_mut().enumerate() {
@@ -37,7 +37,7 @@ pub fn advise(
         }
         let worst = report.hazards.iter().find(|hazard| hazard.id == cause.worst && hazard.confirmed == Some(true));
         let Some(worst) = worst.filter(|_| number < CAUSES && !plainly.stop().ends_search()) else { continue };
-        let remedies = remedies(&plainly, worst, &report.hazards, effort, &mut purse, tell)?;
+        let remedies = risk_reductions(&plainly, worst, &report.hazards, effort, &mut purse, tell)?;
         let stopped = plainly.stop().ends_search();
         if stopped && remedies.is_empty() {
             break;

@@ -4,23 +4,23 @@ use num_bigint::BigUint;
 
 use super::confirm::worked_alone;
 use super::explain::outside;
-use super::film;
+use super::footprint::{flat, heights, outline};
 use super::hosting::StateChoice;
-use super::outline::{flat, heights, outline};
+use super::initial_condition::Runs;
 use super::prepare::Prepared;
-use super::there::Runs;
+use super::replay;
 use crate::cell::workcell::Obstacle;
 use crate::geometry::polygon::contains;
 use crate::geometry::segment_cuboid::{capsule_cuboid, segment_hits_cuboid};
 use crate::geometry::{Capsule, Cuboid, Vec3};
-use crate::hazard::Part;
+use crate::hazard::BodyOrArm;
 use crate::hazard::cause::{self, Kind, Member};
-use crate::host::selftest::Rung;
+use crate::host::selftest::StateRestore;
 use crate::human::BodyPart;
 use crate::record::cause::{Cause, Circumstances};
 use crate::record::certificate::Certificate;
 use crate::record::hazard::Hazard;
-use crate::record::worked::Working;
+use crate::record::operated::OperatedControl;
 use crate::sim::simulation::Instant;
 
 /// Steps along an arm in which it is looked what it reaches past, m: thinner than any fence.
@@ -40,7 +40,7 @@ pub(crate) fn member(prepared: &Prepared, hazard: &Hazard) -> Member {
     } else {
         hazard.worked.clone()
     };
-    for Working { control, .. } in own {
+    for OperatedControl { control, .. } in own {
         if !worked.contains(&control.name) {
             worked.push(control.name);
         }
@@ -48,7 +48,7 @@ pub(crate) fn member(prepared: &Prepared, hazard: &Hazard) -> Member {
     worked.sort_unstable();
     let kind = Kind {
         robot: link.map_or_else(String::new, |link| cell.robots[link.robot].name.clone()),
-        part: Part::of(hazard.body_region),
+        part: BodyOrArm::of(hazard.body_region),
         reporting,
         long: since > cause::LONG_S,
         criterion: hazard.class.beside_force(),
@@ -63,7 +63,7 @@ pub(crate) fn member(prepared: &Prepared, hazard: &Hazard) -> Member {
 #[must_use]
 pub(crate) fn causes(
     prepared: &Prepared,
-    rung: Rung,
+    rung: StateRestore,
     hazards: &[Hazard],
     certificate: Option<&Certificate>,
 ) -> Vec<Cause> {
@@ -71,7 +71,7 @@ pub(crate) fn causes(
     if members.is_empty() {
         return Vec::new();
     }
-    let plainly = if rung == Rung::Processes { StateChoice::Process } else { StateChoice::Replay };
+    let plainly = if rung == StateRestore::Processes { StateChoice::Process } else { StateChoice::Replay };
     let mut runs = Runs::new(prepared, plainly, hazards).ok();
     let all: Option<BigUint> = certificate.and_then(|certificate| certificate.sequences.parse().ok());
     let found = cause::causes(&members);
@@ -91,10 +91,10 @@ fn circumstances(prepared: &Prepared, runs: &mut Runs<'_>, hazard: &Hazard) -> C
     let mut around = Circumstances { over, under, ..Circumstances::default() };
     // An FMU that does not repeat itself, or none any more: what is known without it is told all the same.
     let Ok((_, watched)) = runs.watch(hazard) else { return around };
-    let contact = film::contact_frame(prepared, hazard, &watched);
+    let contact = replay::contact_frame(prepared, hazard, &watched);
     let since = hazard.sensors.iter().filter_map(|sensor| sensor.since_s).reduce(f64::max);
     if let (Some(link), Some(since_s)) = (link, since) {
-        let first = contact.saturating_sub(film::steps(prepared, since_s));
+        let first = contact.saturating_sub(replay::steps(prepared, since_s));
         let fastest = |frame: usize| watched.instants[frame].frame.speed_bounds[link];
         around.slowed = fastest(contact) < SLOWED * fastest(first);
     }

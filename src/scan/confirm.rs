@@ -9,7 +9,7 @@ use crate::hazard::{Finding, Group};
 use crate::host::{Hosted, PlantError, Policy};
 use crate::human::Action;
 use crate::record::hazard::{FirstContact, Hazard};
-use crate::record::worked::Working;
+use crate::record::operated::OperatedControl;
 use crate::sim::replay::{Replayed, Wanted, replay_watched};
 use crate::sim::{Options, Simulation, World};
 
@@ -39,7 +39,7 @@ pub(super) fn confirm(
 }
 
 /// What is really worked in a sequence: not where a hand presses into the air.
-fn worked(prepared: &Prepared, plant: &mut Hosted, actions: &[Action]) -> Vec<Working> {
+fn worked(prepared: &Prepared, plant: &mut Hosted, actions: &[Action]) -> Vec<OperatedControl> {
     if prepared.cell.following.is_empty() || actions.iter().all(|action| action.presses().is_none()) {
         return worked_alone(prepared, actions);
     }
@@ -48,11 +48,11 @@ fn worked(prepared: &Prepared, plant: &mut Hosted, actions: &[Action]) -> Vec<Wo
     let (cell, binding) = (Arc::clone(&prepared.cell), Arc::clone(&prepared.binding));
     let watched = Simulation::new(cell, binding, plant, options).and_then(|mut s| s.watch(actions, &[]));
     let worked = watched.map(|watched| watched.worked).unwrap_or_default();
-    Working::all(worked, &settings::controls(&prepared.cell), prepared.cell.second.is_some())
+    OperatedControl::all(worked, &settings::controls(&prepared.cell), prepared.cell.second.is_some())
 }
 
 /// The same where nothing follows the FMU.
-pub(super) fn worked_alone(prepared: &Prepared, actions: &[Action]) -> Vec<Working> {
+pub(super) fn worked_alone(prepared: &Prepared, actions: &[Action]) -> Vec<OperatedControl> {
     if actions.iter().all(|action| action.presses().is_none()) {
         return Vec::new();
     }
@@ -64,7 +64,7 @@ pub(super) fn worked_alone(prepared: &Prepared, actions: &[Action]) -> Vec<Worki
         places = walks.ends();
         world.worked_by(&walks.starts(), action).presses
     });
-    Working::all(presses, &settings::controls(&prepared.cell), prepared.cell.second.is_some())
+    OperatedControl::all(presses, &settings::controls(&prepared.cell), prepared.cell.second.is_some())
 }
 
 /// Whether a fresh instance without any restore gives the same contact to the last bit, and what goes with it; nothing if there was no time to see, or the FMU does not begin any more: why is put into

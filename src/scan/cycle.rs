@@ -44,7 +44,7 @@ fn apart(a: &[Vec3], b: &[Vec3]) -> f64 {
 }
 
 /// How far anything gets from where it is at first, m.
-pub(super) fn way_m(instants: &[Vec<Vec3>]) -> f64 {
+pub(super) fn path_m(instants: &[Vec<Vec3>]) -> f64 {
     let Some(first) = instants.first() else { return 0.0 };
     instants.iter().map(|instant| apart(instant, first)).fold(0.0, f64::max)
 }
@@ -56,7 +56,7 @@ pub(super) fn cycle(instants: &[Vec<Vec3>]) -> Option<Cycle> {
         instants[from..to].iter().map(|instant| apart(instant, &instants[from])).fold(0.0, f64::max)
     };
     // Nothing is farther apart than twice what all are from the first.
-    if way_m(instants) < STILL_M / 2.0 {
+    if path_m(instants) < STILL_M / 2.0 {
         return None;
     }
     // What the robots did at an instant, and part of a step later.

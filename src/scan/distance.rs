@@ -19,7 +19,7 @@ use crate::cell::sensor::kind::Key;
 use crate::cell::sensor::rules::{Approach, Asks, From, Rules, Standing};
 use crate::host::PlantError;
 use crate::human::Arrangement;
-use crate::report::distance::{Distances, Placed, Safeguard, Stopped, Way, asked_mm, formula, there_mm};
+use crate::report::distance::{ApproachPath, Distances, Placed, Safeguard, Stopped, asked_mm, formula, there_mm};
 use crate::standards::iso_13855::{Detection, Edition, Required};
 use crate::standards::tables::distance_tables;
 
@@ -139,7 +139,7 @@ impl Measured<'_> {
             }
             let (s_mm, stands_mm) =
                 (required.as_ref().map(|r| asked_mm(r.separation.s_m())), there_mm(near.distance_m));
-            safeguard.ways.push(Way {
+            safeguard.ways.push(ApproachPath {
                 how: how.to_owned(),
                 clause: required.as_ref().map(|required| required.clause.to_owned()),
                 formula: required.as_ref().map(|required| formula(self.asked.edition, required)),

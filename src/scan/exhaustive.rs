@@ -7,18 +7,18 @@ use std::sync::Arc;
 use num_bigint::BigUint;
 use num_traits::ToPrimitive as _;
 
-use super::footing::{Doubt, Footing};
+use super::execution::{Doubt, ExecutionMode};
 use super::options::{Exhaustive, Progress, ScanError};
 use super::prepare::Prepared;
 use crate::hazard::{Finding, Groups};
 use crate::host::audit::{Audit, Difference, Scope, audit};
-use crate::host::{Effort, Hosted, PlantError, Recall};
+use crate::host::{FmuUsage, Hosted, PlantError, Recall};
 use crate::human::Action;
 use crate::obligations::{Need, Point};
 use crate::record::certificate::{Certificate, RandomSearch, RunAgain};
 use crate::record::hazard::Hazard;
 use crate::record::model::FaultRecord;
-use crate::search::exhaustive::{Account, Budget, Expansion as _, Prefixes, Stopped, Told, exhaust_watched};
+use crate::search::exhaustive::{Account, Budget, Expansion as _, Prefixes, SearchEvent, Stopped, exhaust_watched};
 use crate::search::statistics::Independent;
 use crate::sequences::Expander;
 use crate::sim::answers::Answers;
@@ -32,7 +32,7 @@ const RANDOM_ITERATIONS: u32 = 320;
 const FAULTS_KEPT: usize = 20;
 
 /// What came out, besides the groups.
-pub(super) struct Census {
+pub(super) struct ExhaustiveResult {
     /// What was covered; nothing if the FMU ended the search.
     pub certificate: Option<Certificate>,
     /// What it left open, and why.
@@ -41,7 +41,7 @@ pub(super) struct Census {
     pub motion: Motion,
     pub fmu_steps: u64,
     pub fmu_states: usize,
-    pub effort: Effort,
+    pub effort: FmuUsage,
     pub faults: Vec<FaultRecord>,
     /// The user ended the search.
     pub interrupted: bool,
@@ -61,7 +61,7 @@ const LOOK: usize = 24;
 /// Looks at a search now and then.
 struct Looks<'a> {
     plain: &'a mut Hosted,
-    footing: Footing,
+    footing: ExecutionMode,
     /// States met at the last look, and at which the next one is due.
     looked: usize,
     due: usize,
@@ -91,7 +91,7 @@ impl Looks<'_> {
 
 /// Communication steps that the audit may take: as many as the search, where steps are what costs, and a small part of what
 /// the contacts cost, else.
-fn audit_steps(expander: &Expander<Hosted>, footing: Footing) -> u64 {
+fn audit_steps(expander: &Expander<Hosted>, footing: ExecutionMode) -> u64 {
     let steps = expander.recall().steps();
     footing.least_audit() + steps + (expander.cost() - steps) / 16
 }
@@ -110,12 +110,12 @@ fn taken(world: &World, prefixes: &Prefixes, then: impl Iterator<Item = Action>)
 /// Looks at every sequence; findings go into `groups`. What the FMU did for it is then run again by `plain`.
 pub(super) fn census(
     prepared: &Prepared,
-    (footing, plain): (Footing, &mut Hosted),
+    (footing, plain): (ExecutionMode, &mut Hosted),
     (options, answers): (Exhaustive, &Arc<Answers>),
     links: &[String],
     groups: &mut Groups,
     tell: &mut dyn FnMut(Progress<'_>) -> ControlFlow<()>,
-) -> Result<Census, ScanError> {
+) -> Result<ExhaustiveResult, ScanError> {
     let (cell, binding) = (Arc::clone(&prepared.cell), Arc::clone(&prepared.binding));
     let sensors: Vec<String> = cell.sensors.iter().map(|s| s.name.clone()).collect();
     let world = World::new(Arc::clone(&cell), Arc::clone(&binding));
@@ -128,7 +128,7 @@ pub(super) fn census(
     let mut faults = Vec::new();
     let mut look = |expander: &Expander<Hosted>, go_on: &mut dyn FnMut() -> bool| looks.look(expander.recall(), go_on);
     let outcome = exhaust_watched(&mut expander, options.budget, &mut look, &mut |told| match told {
-        Told::Met(met) => {
+        SearchEvent::UnsafeState(met) => {
             let finding = after(&world, met.prefixes, met.unsafe_state);
             let Some(id) = groups.add_counted(finding, Some(met.sequences), 0, links) else {
                 return ControlFlow::Continue(());
@@ -137,7 +137,7 @@ pub(super) fn census(
                 tell(Progress::Found(&Hazard::new(group, links, &sensors, people)))
             })
         }
-        Told::Noted { unsafe_state, prefixes, with_end } => {
+        SearchEvent::Noted { unsafe_state, prefixes, with_end } => {
             // Of two who are hit at once the sequence counts for the first.
             let counted = with_end.then_some(BigUint::ZERO);
             let finding = after(&world, prefixes, unsafe_state);
@@ -148,15 +148,15 @@ pub(super) fn census(
                 tell(Progress::Found(&Hazard::new(group, links, &sensors, people)))
             })
         }
-        Told::Failed { reason, action, prefixes } => {
+        SearchEvent::Failed { reason, action, prefixes } => {
             if faults.len() < FAULTS_KEPT && faults.iter().all(|known: &FaultRecord| known.message != reason) {
                 let actions = taken(&world, prefixes, std::iter::once(world.cell.repertoire.action(action)));
                 faults.push(FaultRecord { message: reason, actions });
             }
             ControlFlow::Continue(())
         }
-        Told::Working => tell(Progress::Working),
-        Told::Progress { depth, done, of, cost } => {
+        SearchEvent::Working => tell(Progress::Working),
+        SearchEvent::Progress { depth, done, of, cost } => {
             tell(Progress::Level { depth, done, of, hazards: groups.len(), cost })
         }
     });
@@ -197,7 +197,7 @@ pub(super) fn census(
     }
     let gaps = account.as_ref().map_or_else(Vec::new, |account| gaps(&expander, account, options, &again));
     let certificate = account.map(|account| certificate(&expander, &account, &again));
-    Ok(Census {
+    Ok(ExhaustiveResult {
         interrupted,
         certificate,
         gaps,

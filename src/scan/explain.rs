@@ -1,17 +1,17 @@
 //! What there is to tell about a hazard, gathered from its cell and from its sequence once more.
 
-use super::film::contact_frame;
 use super::prepare::Prepared;
+use super::replay::contact_frame;
 use super::settings;
 use crate::geometry::polygon::{contains, distance_to_edge};
 use crate::human::action::ACTION_S;
 use crate::record::hazard::Hazard;
 use crate::report::explanation::{Explanation, Outside, Reports, Robot};
-use crate::sim::simulation::Watched;
+use crate::sim::simulation::RecordedRun;
 
 /// The explanation of `hazard`, whose sequence was watched, without remedies; nothing if the cell has no such link.
 #[must_use]
-pub(crate) fn explain(prepared: &Prepared, hazard: &Hazard, watched: &Watched) -> Option<Explanation> {
+pub(crate) fn explain(prepared: &Prepared, hazard: &Hazard, watched: &RecordedRun) -> Option<Explanation> {
     let cell = &prepared.cell;
     let link = cell.links.iter().find(|link| link.name == hazard.robot_link)?;
     let robot = &cell.robots[link.robot];

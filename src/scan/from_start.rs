@@ -5,7 +5,7 @@ mod keys;
 
 use self::fields::Fields;
 use super::accepted_for::fmu_digest;
-use super::footing::{Doubt, not_repeatable};
+use super::execution::{Doubt, not_repeatable};
 use super::options::{Exhaustive, Method, ScanOptions};
 use super::prepare::Prepared;
 use super::searched::Searched;
@@ -13,7 +13,7 @@ use crate::cell::workcell::Robot;
 use crate::obligations::{Assumption, Engine, Need, Point, Reply};
 use crate::record::figures::grouped;
 use crate::scan::speeds::Speeds;
-use crate::sim::coverage::{NeverMet, RobotCoverage};
+use crate::sim::coverage::{NoContactReason, RobotCoverage};
 
 /// A search that has ended.
 pub(super) struct FromStart<'a> {
@@ -168,11 +168,11 @@ impl<'a> FromStart<'a> {
     }
 
     /// What is known of each robot, where that is not `open` of it.
-    fn of_robots(&self, open: impl Fn(NeverMet) -> bool, figure: impl Fn(&RobotCoverage) -> String) -> Reply {
+    fn of_robots(&self, open: impl Fn(NoContactReason) -> bool, figure: impl Fn(&RobotCoverage) -> String) -> Reply {
         let coverage = &self.searched.coverage;
         let several = self.prepared.cell.robots.len() > 1;
         let of = |(number, robot): (usize, &Robot)| {
-            let never = coverage.never_met(number);
+            let never = coverage.no_contact_reason(number);
             let figures = coverage.robots.get(number).map_or_else(|| "nothing".to_owned(), &figure);
             let point = match never {
                 Some(never) if open(never) => Point::open(never.words(&robot.name)),
@@ -185,15 +185,18 @@ impl<'a> FromStart<'a> {
     }
 
     fn moves(&self) -> Reply {
-        let open = |never: NeverMet| matches!(never, NeverMet::NeverMoved { .. }) && !never.is_shown();
+        let open = |never: NoContactReason| matches!(never, NoContactReason::NeverMoved { .. }) && !never.is_shown();
         self.of_robots(open, |robot| format!("up to {:.2} m/s", robot.top_speed_m_s))
     }
 
     fn near(&self) -> Reply {
-        let open = |never: NeverMet| match never {
-            NeverMet::NotSimulated | NeverMet::TooFar | NeverMet::NeverNear | NeverMet::KeptOut => !never.is_shown(),
+        let open = |never: NoContactReason| match never {
+            NoContactReason::NotSimulated
+            | NoContactReason::TooFar
+            | NoContactReason::NeverNear
+            | NoContactReason::KeptOut => !never.is_shown(),
             // That is told as such.
-            NeverMet::NeverMoved { .. } => false,
+            NoContactReason::NeverMoved { .. } => false,
         };
         let times = |robot: &RobotCoverage| grouped(&robot.instants_in_reach.to_string());
         self.of_robots(open, |robot| format!("near enough to touch at {} instants", times(robot)))

@@ -8,7 +8,7 @@ use crate::record::model::{ScanReport, Subject};
 
 /// `path` as a file in `folder` names it, so that it is found from there: without going through links if that is enough.
 #[must_use]
-pub(crate) fn seen_from(path: &Path, folder: &Path) -> String {
+pub(crate) fn relative_to(path: &Path, folder: &Path) -> String {
     let plainly = named_from(path, folder);
     if folder.join(&plainly).exists() || !path.exists() {
         return plainly;
@@ -22,7 +22,7 @@ pub(crate) fn seen_from(path: &Path, folder: &Path) -> String {
 /// The same report for a file in `folder`.
 #[must_use]
 pub(crate) fn relative(report: &ScanReport, folder: &Path) -> ScanReport {
-    let from = |path: &str| seen_from(Path::new(path), folder);
+    let from = |path: &str| relative_to(Path::new(path), folder);
     let subject = &report.subject;
     // A cell file inside an archive stands behind the archive's path.
     let cell_found = match subject.cell_found.rsplit_once('!') {
@@ -50,12 +50,12 @@ mod tests {
         std::fs::create_dir_all(cell.parent().unwrap()).unwrap();
         std::fs::create_dir_all(&out).unwrap();
         std::fs::write(&cell, "").unwrap();
-        assert_eq!(seen_from(&cell, &out), "../../cells/a/cell.toml");
+        assert_eq!(relative_to(&cell, &out), "../../cells/a/cell.toml");
         assert_eq!(found(Path::new("../../cells/a/cell.toml"), &out), cell);
         // Results in a folder that is a link.
         let linked = dir.path().join("link");
         std::os::unix::fs::symlink(&out, &linked).unwrap();
-        let named = seen_from(&cell, &linked);
+        let named = relative_to(&cell, &linked);
         for folder in [&out, &linked] {
             let found = found(Path::new(&named), folder).canonicalize().unwrap();
             assert_eq!(found, cell.canonicalize().unwrap(), "{named}");

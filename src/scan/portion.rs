@@ -4,11 +4,11 @@
 use std::ops::ControlFlow;
 use std::sync::Arc;
 
-use super::footing::Footing;
+use super::execution::ExecutionMode;
 use super::hosting::StateChoice;
 use super::options::{Exhaustive, Progress, ScanError};
 use super::prepare::Prepared;
-use crate::search::exhaustive::{Stopped, Told, exhaust};
+use crate::search::exhaustive::{SearchEvent, Stopped, exhaust};
 use crate::sequences::Expander;
 use crate::sim::answers::{Answers, Share};
 
@@ -22,7 +22,7 @@ pub(crate) fn portion(
     share: Share,
     tell: &mut dyn FnMut(Progress<'_>) -> ControlFlow<()>,
 ) -> Result<Option<Arc<Answers>>, ScanError> {
-    let footing = Footing::asked(prepared, StateChoice::Auto, how.merge);
+    let footing = ExecutionMode::asked(prepared, StateChoice::Auto, how.merge);
     let (cell, binding) = (Arc::clone(&prepared.cell), Arc::clone(&prepared.binding));
     let answers = Arc::new(Answers::in_memory(share));
     let (plant, policy) = (footing.plant(prepared), footing.policy(prepared));
@@ -30,8 +30,10 @@ pub(crate) fn portion(
         .map_err(|cause| ScanError { cause })?
         .with_answers(Arc::clone(&answers));
     let account = exhaust(&mut expander, how.budget, &mut |told| match told {
-        Told::Progress { depth, done, of, cost } => tell(Progress::Level { depth, done, of, hazards: 0, cost }),
-        Told::Working | Told::Met(_) | Told::Noted { .. } | Told::Failed { .. } => tell(Progress::Working),
+        SearchEvent::Progress { depth, done, of, cost } => tell(Progress::Level { depth, done, of, hazards: 0, cost }),
+        SearchEvent::Working | SearchEvent::UnsafeState(_) | SearchEvent::Noted { .. } | SearchEvent::Failed { .. } => {
+            tell(Progress::Working)
+        }
     });
     match account {
         Ok(account) if account.stopped == Stopped::Asked => Ok(None),

@@ -7,9 +7,9 @@ use std::time::Duration;
 
 use super::contact_stop::{self, travel_after_contact};
 use super::hosting::{Hosting, Source, StateChoice};
+use super::loaded::{Tested, try_out, unbound};
 use super::prepare_error::PrepareError;
 use super::stop_time;
-use super::trial::{Tested, try_out, unbound};
 use crate::cell::binding::BoundUnit;
 use crate::cell::error::Source as CellSource;
 use crate::cell::file::accepted::accepted_for;
@@ -20,11 +20,11 @@ use crate::cell::foreign::ssp::Wiring;
 use crate::cell::workcell::FileLine;
 use crate::cell::{Binding, Workcell, binding};
 use crate::fmi::{Fmu, number};
-use crate::host::isolation::{Isolated, Keeping, LastWords};
-use crate::host::selftest::{Agreement, Rung, SelfTest};
+use crate::host::isolation::{Isolated, LastLines, WorkerRestore};
+use crate::host::selftest::{Agreement, SelfTest, StateRestore};
 use crate::host::{Hosted, PlantError, Policy, System, SystemSetup, UnitPort};
 use crate::obligations::{Point, Reply};
-use crate::record::model::{BeginningSubject, FileSubject, FmuSubject, Subject};
+use crate::record::model::{FileSubject, FmuSubject, NumberedInitialCondition, Subject};
 use crate::sim::{Options, Simulation, World};
 use crate::stop::Stop;
 
@@ -55,7 +55,7 @@ pub struct Prepared {
     /// What the FMUs' promises are worth, together.
     pub self_test: SelfTest,
     /// How states are brought back unless asked otherwise.
-    pub rung: Rung,
+    pub rung: StateRestore,
     /// What of the protection against the FMUs this machine lacks.
     pub missing_protection: Vec<String>,
     source: Source,
@@ -87,7 +87,7 @@ pub fn prepare_in(path: &Path, cell: Option<&Path>, hosting: &Hosting) -> Result
     prepared.knowing_contact_stop()
 }
 
-/// The same for runs from elsewhere than where the cell file says, [`Prepared::begun`]: whether somebody can begin there is told
+/// The same for runs from elsewhere than where the cell file says, [`Prepared::prepared_at`]: whether somebody can begin there is told
 /// beside it.
 ///
 /// # Errors
@@ -152,7 +152,7 @@ pub(crate) fn prepare_unplaced(
     let subjects = order.into_iter().map(subject_of).collect();
     let subject = Subject {
         cell: cell.name.clone(),
-        beginning: told_beginning(&cell),
+        beginning: numbered_initial_condition(&cell),
         cell_found: found,
         cell_sha256: cell.sha256.clone(),
         files: files(&cell, wiring.as_ref()),
@@ -189,15 +189,15 @@ fn files(cell: &Workcell, wiring: Option<&Wiring>) -> Vec<FileSubject> {
 }
 
 /// Which of its beginnings a cell is about, if it has several or another than the FMU's own start.
-fn told_beginning(cell: &Workcell) -> Option<BeginningSubject> {
+fn numbered_initial_condition(cell: &Workcell) -> Option<NumberedInitialCondition> {
     let told = cell.beginnings.len() > 1 || cell.lead_in_steps() > 0;
-    told.then(|| beginning_subject(cell, cell.beginning))
+    told.then(|| initial_condition_record(cell, cell.beginning))
 }
 
 /// One of a cell's beginnings, from 0, as results tell it.
-pub(super) fn beginning_subject(cell: &Workcell, number: usize) -> BeginningSubject {
+pub(super) fn initial_condition_record(cell: &Workcell, number: usize) -> NumberedInitialCondition {
     let beginning = &cell.beginnings[number];
-    BeginningSubject {
+    NumberedInitialCondition {
         number: number + 1,
         of: cell.beginnings.len(),
         xy_m: beginning.start.xy_m(),
@@ -237,7 +237,7 @@ fn fit(
         let message = format!("somebody begins where `{sensor}` sees them, which counts only while the FMU says so");
         let help = "begin where it sees nobody: whether it counts as the FMU begins is not known".to_owned();
         let error = source.error(source.table("human"), "here", message, Some(help));
-        Err(PrepareError::SeenAtTimes { sensor: (*sensor).to_owned(), error })
+        Err(PrepareError::DetectedAtTimes { sensor: (*sensor).to_owned(), error })
     } else if let Some(second) = second {
         let start = second.position(&second.start());
         let message = format!(
@@ -294,9 +294,9 @@ impl Prepared {
     ) -> Result<Self, PrepareError> {
         let count = cell.beginnings.len();
         if beginning >= count {
-            return Err(PrepareError::NoBeginning { number: beginning + 1, count });
+            return Err(PrepareError::NoInitialCondition { number: beginning + 1, count });
         }
-        let cell = cell.beginning_at(beginning);
+        let cell = cell.initial_condition_at(beginning);
         let Fitted { cell, binding, setup, free_start } =
             fit(cell, &found, &self.names, &self.fmus, self.wiring.as_ref())?;
         accepted_for(cell.file(), &found, &fmu_digest(&self.subject))?;
@@ -305,7 +305,7 @@ impl Prepared {
         Self {
             subject: Subject {
                 cell: cell.name.clone(),
-                beginning: told_beginning(&cell),
+                beginning: numbered_initial_condition(&cell),
                 cell_sha256: cell.sha256.clone(),
                 files: files(&cell, self.wiring.as_ref()),
                 ..self.subject.clone()
@@ -446,44 +446,46 @@ impl Prepared {
         self.plant_of(choice, |setup| SystemSetup { lead_in_steps: 0, ..setup.clone() })
     }
 
-    fn keeping(&self, choice: StateChoice) -> Keeping {
+    fn keeping(&self, choice: StateChoice) -> WorkerRestore {
         match choice {
             StateChoice::Auto => match self.rung {
-                Rung::SavedStates => Keeping::ByFmu,
-                Rung::Copies => Keeping::ByFork,
-                Rung::Instances => Keeping::Instances,
-                Rung::Processes => Keeping::Processes,
+                StateRestore::SavedStates => WorkerRestore::ByFmu,
+                StateRestore::Copies => WorkerRestore::ByFork,
+                StateRestore::Instances => WorkerRestore::Instances,
+                StateRestore::Processes => WorkerRestore::Processes,
             },
-            StateChoice::Fmu => Keeping::ByFmu,
-            StateChoice::Fork => Keeping::ByFork,
+            StateChoice::Fmu => WorkerRestore::ByFmu,
+            StateChoice::Fork => WorkerRestore::ByFork,
             // Who allows one instance in a process gets a process for each.
-            StateChoice::Replay if self.self_test.deterministic == Agreement::Exact => Keeping::Instances,
-            StateChoice::Replay | StateChoice::Process => Keeping::Processes,
+            StateChoice::Replay if self.self_test.deterministic == Agreement::Exact => WorkerRestore::Instances,
+            StateChoice::Replay | StateChoice::Process => WorkerRestore::Processes,
         }
     }
 
     /// The FMUs, not yet started, for states that are brought back by this rung.
     #[must_use]
-    pub(super) fn plant_by(&self, rung: Rung) -> Hosted {
+    pub(super) fn plant_by(&self, rung: StateRestore) -> Hosted {
         match (&self.source, rung) {
-            (Source::Apart(launcher), Rung::Copies) => Hosted::Apart(Isolated::new(launcher.clone(), Keeping::ByFork)),
-            (Source::Apart(launcher), Rung::Processes) => {
-                Hosted::Apart(Isolated::new(launcher.clone(), Keeping::Processes))
+            (Source::Apart(launcher), StateRestore::Copies) => {
+                Hosted::Apart(Isolated::new(launcher.clone(), WorkerRestore::ByFork))
             }
-            (_, Rung::SavedStates) => self.plant(StateChoice::Fmu),
-            (Source::Apart(launcher), Rung::Instances) => {
-                Hosted::Apart(Isolated::new(launcher.clone(), Keeping::Instances))
+            (Source::Apart(launcher), StateRestore::Processes) => {
+                Hosted::Apart(Isolated::new(launcher.clone(), WorkerRestore::Processes))
+            }
+            (_, StateRestore::SavedStates) => self.plant(StateChoice::Fmu),
+            (Source::Apart(launcher), StateRestore::Instances) => {
+                Hosted::Apart(Isolated::new(launcher.clone(), WorkerRestore::Instances))
             }
             (Source::Here { .. }, _) => self.plant(StateChoice::Replay),
         }
     }
 
     /// How states are brought back by this rung.
-    pub(super) fn policy_by(&self, rung: Rung) -> Policy {
+    pub(super) fn policy_by(&self, rung: StateRestore) -> Policy {
         let max_checkpoints = match rung {
-            Rung::SavedStates => self.self_test.most_states(STATE_BUDGET),
-            Rung::Copies => MOST_COPIES,
-            Rung::Instances | Rung::Processes => 0,
+            StateRestore::SavedStates => self.self_test.most_states(STATE_BUDGET),
+            StateRestore::Copies => MOST_COPIES,
+            StateRestore::Instances | StateRestore::Processes => 0,
         };
         Policy::States { max_checkpoints }
     }
@@ -499,16 +501,16 @@ impl Prepared {
         let max_checkpoints = match (choice, self.rung) {
             (StateChoice::Replay, _) => return Policy::Replay,
             (StateChoice::Fmu, _) => usize::MAX,
-            (StateChoice::Fork, _) | (StateChoice::Auto, Rung::Copies) => MOST_COPIES,
-            (StateChoice::Auto, Rung::SavedStates) => self.self_test.most_states(STATE_BUDGET),
-            (StateChoice::Process, _) | (StateChoice::Auto, Rung::Instances | Rung::Processes) => 0,
+            (StateChoice::Fork, _) | (StateChoice::Auto, StateRestore::Copies) => MOST_COPIES,
+            (StateChoice::Auto, StateRestore::SavedStates) => self.self_test.most_states(STATE_BUDGET),
+            (StateChoice::Process, _) | (StateChoice::Auto, StateRestore::Instances | StateRestore::Processes) => 0,
         };
         Policy::States { max_checkpoints }
     }
 
     /// Whether equal serialised states are equal states: only for FMUs that save them faithfully.
     #[must_use]
-    pub(crate) fn tells_states_by_bytes(&self) -> bool {
+    pub(crate) fn compares_states_by_bytes(&self) -> bool {
         // What is differentiated depends on the step before, too.
         let remembers = self.binding.derived.is_empty();
         remembers && self.self_test.restore == Agreement::Exact && self.self_test.bytes_per_state.is_some()
@@ -525,7 +527,7 @@ impl Prepared {
 
     /// What the FMUs printed before the first few failures; nothing of those in this process.
     #[must_use]
-    pub(crate) fn before_failures(&self) -> Vec<LastWords> {
+    pub(crate) fn before_failures(&self) -> Vec<LastLines> {
         match &self.source {
             Source::Here { .. } => Vec::new(),
             Source::Apart(launcher) => launcher.before_failures(),

@@ -26,7 +26,7 @@ pub enum PrepareError {
     /// Somebody begins in the zone of a sensor that does not always count.
     #[error("{error}")]
     #[diagnostic(forward(error))]
-    SeenAtTimes {
+    DetectedAtTimes {
         /// The sensor.
         sensor: String,
         /// As messages show it.
@@ -41,7 +41,7 @@ pub enum PrepareError {
     #[diagnostic(help(
         "it has {count}: each of human.start, human.other_starts and the places of human.start_area at each of human.begins_s"
     ))]
-    NoBeginning {
+    NoInitialCondition {
         /// From 1.
         number: usize,
         /// How many there are.

@@ -97,14 +97,14 @@ impl Reaction {
 }
 
 /// A run of the FMU, and how fast the robots were after each step.
-pub(crate) struct Run {
+pub(crate) struct ProbeRun {
     /// Outputs at the start and after each step, row-major.
     pub rows: Vec<f64>,
     /// Speed after each step.
     pub speeds: Vec<f64>,
 }
 
-impl Run {
+impl ProbeRun {
     /// The fastest that anything was.
     #[must_use]
     pub(crate) fn fastest(&self) -> f64 {
@@ -119,7 +119,7 @@ impl Run {
 }
 
 /// Whether the robots moved for most of the time and then came to rest: a programme at its end, not a stop at the beginning.
-fn ended(run: &Run) -> bool {
+fn ended(run: &ProbeRun) -> bool {
     let moving = run.speeds.iter().filter(|speed| **speed > STILL).count();
     moving * 2 > run.speeds.len()
 }
@@ -164,7 +164,7 @@ impl<'a, P: Plant> Prober<'a, P> {
     ///
     /// # Errors
     /// When the FMU fails.
-    pub(crate) fn run(&self, inputs: &[f64], change: Option<(usize, &[f64])>) -> Result<Run, PlantError> {
+    pub(crate) fn run(&self, inputs: &[f64], change: Option<(usize, &[f64])>) -> Result<ProbeRun, PlantError> {
         let steps = self.steps();
         let mut plant = (self.plant)(inputs);
         let mut rows = plant.restart()?;
@@ -174,12 +174,12 @@ impl<'a, P: Plant> Prober<'a, P> {
             rows.extend(plant.advance(steps - at, &changed.repeat(steps - at))?);
         }
         let speeds = (self.speeds)(&rows);
-        Ok(Run { rows, speeds })
+        Ok(ProbeRun { rows, speeds })
     }
 
     /// The step at which the robots are fastest in the first half of a run, so that the time to standstill is a long one,
     /// and early enough to see what follows; then the fastest of each of four parts of that half, where they move.
-    fn moments(&self, idle: &Run) -> (usize, Vec<usize>) {
+    fn moments(&self, idle: &ProbeRun) -> (usize, Vec<usize>) {
         let half = &idle.speeds[..self.steps() / 2];
         let fastest = |from: usize, to: usize| {
             let steps = half[from..to].iter().enumerate();
@@ -199,7 +199,7 @@ impl<'a, P: Plant> Prober<'a, P> {
         name: &str,
         inputs: &[f64],
         other: (usize, f64),
-        idle: &Run,
+        idle: &ProbeRun,
     ) -> Result<Reaction, PlantError> {
         self.reaction_at(name, inputs, &[other], idle, self.moments(idle).0)
     }
@@ -213,7 +213,7 @@ impl<'a, P: Plant> Prober<'a, P> {
         name: &str,
         inputs: &[f64],
         others: &[(usize, f64)],
-        idle: &Run,
+        idle: &ProbeRun,
     ) -> Result<Reaction, PlantError> {
         let (at, moments) = self.moments(idle);
         let first = self.reaction_at(name, inputs, others, idle, at)?;
@@ -229,7 +229,7 @@ impl<'a, P: Plant> Prober<'a, P> {
         name: &str,
         inputs: &[f64],
         others: &[(usize, f64)],
-        idle: &Run,
+        idle: &ProbeRun,
         at: usize,
     ) -> Result<Reaction, PlantError> {
         let steps = self.steps();
@@ -238,13 +238,13 @@ impl<'a, P: Plant> Prober<'a, P> {
         let run = self.run(inputs, Some((at, &changed)))?;
         let width = run.rows.len() / (steps + 1);
         let differs = |step: &usize| {
-            let row = |run: &Run| run.rows[(step + 1) * width..(step + 2) * width].to_vec();
+            let row = |run: &ProbeRun| run.rows[(step + 1) * width..(step + 2) * width].to_vec();
             row(&run).iter().zip(row(idle)).any(|(a, b)| a.to_bits() != b.to_bits())
         };
         let first = (at..steps).find(differs);
         let settled = at + (steps - at) / 2;
         #[expect(clippy::cast_precision_loss, reason = "thousands")]
-        let mean = |run: &Run| run.speeds[settled..].iter().sum::<f64>() / (steps - settled) as f64;
+        let mean = |run: &ProbeRun| run.speeds[settled..].iter().sum::<f64>() / (steps - settled) as f64;
         let mut means = [mean(idle), mean(&run)];
         // A stop may be kept until somebody resets it: then only a run that begins with the other value tells.
         let kept = means.iter().all(|mean| *mean <= STILL) && !ended(idle);
@@ -255,7 +255,7 @@ impl<'a, P: Plant> Prober<'a, P> {
         #[expect(clippy::cast_precision_loss, reason = "thousands")]
         let seconds = |steps: usize| steps as f64 * self.step_s;
         let after = |step: usize| seconds(step + 1 - at);
-        let peak = |run: &Run| run.speeds[at..].iter().copied().fold(0.0, f64::max);
+        let peak = |run: &ProbeRun| run.speeds[at..].iter().copied().fold(0.0, f64::max);
         // By the means: robots may take a moment to come to rest, or to begin, in either run.
         let effect = match (first, means[0] > STILL, means[1] > STILL) {
             (None, ..) if begun <= STILL => Effect::Nothing,

@@ -3,7 +3,7 @@
 use std::ops::ControlFlow;
 use std::sync::Arc;
 
-use super::footing::{Doubt, Footing};
+use super::execution::{Doubt, ExecutionMode};
 use super::minimise::minimise;
 use super::options::{Progress, ScanError, ScanOptions, StrategyName};
 use super::prepare::Prepared;
@@ -27,7 +27,7 @@ const BEHIND: u64 = 0x0043_4c41_4d50;
 
 /// A search by a strategy that can be continued.
 pub(super) struct Quick<'a> {
-    footing: Footing,
+    footing: ExecutionMode,
     options: ScanOptions,
     links: &'a [String],
     sensors: Vec<String>,
@@ -74,7 +74,7 @@ impl<'a> Quick<'a> {
     /// Before its first sequence.
     pub(crate) fn new(
         prepared: &Prepared,
-        footing: Footing,
+        footing: ExecutionMode,
         strategy: StrategyName,
         options: ScanOptions,
         links: &'a [String],
@@ -240,7 +240,7 @@ impl<'a> Quick<'a> {
 /// again plainly.
 pub(super) fn search(
     prepared: &Prepared,
-    (footing, plain): (Footing, &mut Hosted),
+    (footing, plain): (ExecutionMode, &mut Hosted),
     strategy: StrategyName,
     options: ScanOptions,
     links: &[String],

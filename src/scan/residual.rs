@@ -2,7 +2,7 @@
 
 use crate::hazard::{Finding, Groups, Identity};
 use crate::record::certificate::{Residual, Unlisted};
-use crate::search::residual::{Figures, Met, RandomSample};
+use crate::search::residual::{Figures, RandomSample, SampleEnd};
 use crate::search::{End, Iteration};
 
 /// Follows a search with a fixed number of iterations. After a quarter of them, random sequences are checked against
@@ -41,9 +41,9 @@ impl Watch {
         let is_new = |finding: &&Finding| !groups.has(&Identity::of(finding, links));
         let own = ends.clone().find(is_new).or(own);
         self.sample.observe(match (iteration.end, own) {
-            (End::Unsafe, Some(own)) => Met::Group(Identity::of(own, links)),
-            (End::Unsafe, None) | (End::NotEvaluated, _) => Met::Unknown,
-            (End::Horizon, _) => Met::Nothing,
+            (End::Unsafe, Some(own)) => SampleEnd::Group(Identity::of(own, links)),
+            (End::Unsafe, None) | (End::NotEvaluated, _) => SampleEnd::Unknown,
+            (End::Horizon, _) => SampleEnd::Nothing,
         });
     }
 

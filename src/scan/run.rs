@@ -3,8 +3,8 @@
 use std::ops::ControlFlow;
 use std::sync::Arc;
 
-use super::attempts::{Attempt, attempts};
 use super::causes::causes;
+use super::fallback::{FallbackResult, search_with_fallback};
 use super::from_start::FromStart;
 use super::options::{Method, Progress, ScanError, ScanOptions};
 use super::prepare::Prepared;
@@ -12,9 +12,9 @@ use super::searched::Searched;
 use super::settings::of_cell;
 use super::share::share;
 use crate::cell::Workcell;
-use crate::host::Effort;
-use crate::host::selftest::Rung;
-use crate::obligations::verdict::Ended;
+use crate::host::FmuUsage;
+use crate::host::selftest::StateRestore;
+use crate::obligations::verdict::SearchEnd;
 use crate::obligations::{Obligations, Verdict};
 use crate::record::headline::{self};
 use crate::record::model::{FaultRecord, Headline, SCHEMA_VERSION, STANDARD_EDITION, ScanReport, Settings, Spent};
@@ -28,9 +28,9 @@ pub struct Scanned {
     /// Its result: the same wherever the FMU runs and however its states are brought back.
     pub report: ScanReport,
     /// How states were brought back in the end.
-    pub rung: Rung,
+    pub rung: StateRestore,
     /// What the FMU did for it.
-    pub effort: Effort,
+    pub effort: FmuUsage,
 }
 
 /// Searches, groups, confirms.
@@ -72,8 +72,8 @@ pub(super) fn scan_alone(
     tell: &mut dyn FnMut(Progress<'_>) -> ControlFlow<()>,
 ) -> Result<Scanned, ScanError> {
     let links: Vec<String> = prepared.cell.links.iter().map(|l| l.name.clone()).collect();
-    let Attempt { footing, mut searched, hazards, notes, effort, doubt } =
-        attempts(prepared, options, answers, &links, tell)?;
+    let FallbackResult { footing, mut searched, hazards, notes, effort, doubt } =
+        search_with_fallback(prepared, options, answers, &links, tell)?;
     let mut warnings = prepared.warnings();
     warnings.extend(notes);
     warnings.extend(searched.notes.iter().cloned());
@@ -97,7 +97,7 @@ pub(super) fn scan_alone(
         let engine = FromStart::new(prepared, options, &searched, doubt.as_ref(), (&speeds, !hazards.is_empty()));
         Obligations::of(&if strayed { engine.having_strayed() } else { engine })
     };
-    let ended = Ended {
+    let ended = SearchEnd {
         found: !hazards.is_empty(),
         failed: searched.broken.is_some() || (doubt.is_some() && !searched.interrupted) || (not_evaluated && !strayed),
         interrupted: searched.interrupted && !timed_out,

@@ -1,9 +1,9 @@
 //! What a search gives besides its groups, and how the parts of one come together.
 
-use super::exhaustive::Census;
-use super::footing::Doubt;
+use super::execution::Doubt;
+use super::exhaustive::ExhaustiveResult;
 use super::options::Method;
-use crate::host::{Effort, PlantError};
+use crate::host::{FmuUsage, PlantError};
 use crate::obligations::{Need, Point};
 use crate::record::certificate::Certificate;
 use crate::record::model::FaultRecord;
@@ -32,7 +32,7 @@ pub(super) struct Searched {
     pub faults: Vec<FaultRecord>,
     pub fmu_steps: u64,
     pub fmu_states: usize,
-    pub effort: Effort,
+    pub effort: FmuUsage,
     /// Why it is not to be relied on.
     pub doubt: Option<Doubt>,
     pub notes: Vec<String>,
@@ -60,7 +60,7 @@ impl Searched {
             faults: Vec::new(),
             fmu_steps: 0,
             fmu_states: 0,
-            effort: Effort::default(),
+            effort: FmuUsage::default(),
             doubt: None,
             notes: Vec::new(),
         }
@@ -112,8 +112,8 @@ impl Searched {
         }
     }
 
-    pub(super) fn all(census: Census) -> Self {
-        let Census {
+    pub(super) fn all(census: ExhaustiveResult) -> Self {
+        let ExhaustiveResult {
             certificate,
             gaps,
             coverage,

@@ -6,8 +6,8 @@ use crate::human::ControlKind;
 use crate::human::action::ACTION_S;
 use crate::record::criteria::{ClampingRecord, CriteriaRecord, SeparationTerms, StatedStop};
 use crate::record::model::Settings;
+use crate::record::operated::ControlRecord;
 use crate::record::people::SecondRecord;
-use crate::record::worked::ControlRecord;
 
 /// The settings of a cell, with nothing of a search in them but the cell's own seed.
 pub(super) fn of_cell(cell: &Workcell) -> Settings {

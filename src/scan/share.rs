@@ -3,7 +3,7 @@
 use std::ops::ControlFlow;
 use std::sync::Arc;
 
-use super::cycle::{LONGEST_WATCHED_S, STILL_M, cycle, points, way_m};
+use super::cycle::{LONGEST_WATCHED_S, STILL_M, cycle, path_m, points};
 use super::hosting::StateChoice;
 use super::options::Progress;
 use super::prepare::Prepared;
@@ -59,7 +59,7 @@ fn watch(prepared: &Prepared, tell: &mut dyn FnMut(Progress<'_>) -> ControlFlow<
             Ok(instants) => {
                 #[expect(clippy::cast_precision_loss, reason = "some hundred actions")]
                 let watched_s = watched as f64 * ACTION_S;
-                (share.watched_s, share.moves) = (watched_s, way_m(&instants) >= STILL_M);
+                (share.watched_s, share.moves) = (watched_s, path_m(&instants) >= STILL_M);
                 if let Some(found) = cycle(&instants) {
                     #[expect(clippy::cast_precision_loss, reason = "some thousand steps")]
                     let from = found.from as f64;

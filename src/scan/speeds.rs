@@ -2,7 +2,7 @@
 
 use crate::cell::{Binding, Workcell};
 use crate::record::speeds::SpeedRecord;
-use crate::sim::motion::{Comparison, Disagreement, IMPLAUSIBLE_M_S, Motion, Part, Seen, Signal};
+use crate::sim::motion::{Comparison, Disagreement, IMPLAUSIBLE_M_S, Motion, MovingPart, Signal, SignalObservation};
 
 /// What is told of the motion of a cell's robots.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -10,7 +10,7 @@ pub struct Speeds {
     /// Speeds that are not those of the motion.
     pub records: Vec<SpeedRecord>,
     /// Of each, the index of the robot, and which part of it.
-    places: Vec<(usize, Part)>,
+    places: Vec<(usize, MovingPart)>,
     /// What else is odd.
     pub warnings: Vec<String>,
 }
@@ -81,9 +81,9 @@ impl Speeds {
         let (robot, part) = *self.places.get(number)?;
         let robot = cell.file().robots.get(robot)?.get_ref();
         match part {
-            Part::Joint(joint) => Some(robot.joints.get(joint)?.speed.as_ref()?.variable.span()),
-            Part::Velocity(frame) => Some(robot.frames.get(frame)?.velocity.as_ref()?[0].span()),
-            Part::AngularVelocity(frame) => Some(robot.frames.get(frame)?.angular_velocity.as_ref()?[0].span()),
+            MovingPart::Joint(joint) => Some(robot.joints.get(joint)?.speed.as_ref()?.variable.span()),
+            MovingPart::Velocity(frame) => Some(robot.frames.get(frame)?.velocity.as_ref()?[0].span()),
+            MovingPart::AngularVelocity(frame) => Some(robot.frames.get(frame)?.angular_velocity.as_ref()?[0].span()),
         }
     }
 }
@@ -103,9 +103,11 @@ impl Names<'_> {
     fn part(&self, signal: &Signal) -> String {
         let robot = self.cell.file().robots[signal.robot].get_ref();
         match signal.part {
-            Part::Joint(joint) => format!("joint `{}`", robot.joints[joint].name.get_ref()),
-            Part::Velocity(frame) => format!("frame `{}`", robot.frames[frame].name.get_ref()),
-            Part::AngularVelocity(frame) => format!("the turning of frame `{}`", robot.frames[frame].name.get_ref()),
+            MovingPart::Joint(joint) => format!("joint `{}`", robot.joints[joint].name.get_ref()),
+            MovingPart::Velocity(frame) => format!("frame `{}`", robot.frames[frame].name.get_ref()),
+            MovingPart::AngularVelocity(frame) => {
+                format!("the turning of frame `{}`", robot.frames[frame].name.get_ref())
+            }
         }
     }
 
@@ -118,7 +120,7 @@ impl Names<'_> {
         signal.variables.iter().map(name).collect()
     }
 
-    fn record(&self, signal: &Signal, seen: &Seen, worst: &Disagreement, steps: usize) -> SpeedRecord {
+    fn record(&self, signal: &Signal, seen: &SignalObservation, worst: &Disagreement, steps: usize) -> SpeedRecord {
         SpeedRecord {
             robot: self.cell.robots[signal.robot].name.clone(),
             part: self.part(signal),
@@ -134,10 +136,10 @@ impl Names<'_> {
         }
     }
 
-    fn cause(&self, signal: &Signal, seen: &Seen, steps: usize) -> Option<String> {
+    fn cause(&self, signal: &Signal, seen: &SignalObservation, steps: usize) -> Option<String> {
         let names: Vec<String> = self.variables(signal).iter().map(|name| format!("`{name}`")).collect();
         let named = names.join(" with ");
-        if seen.told_still() {
+        if seen.reported_zero() {
             return Some(format!("What is told is always 0: {named} may be another variable than was meant"));
         }
         let about = |factor: f64| seen.ratio.is_some_and(|ratio| ratio.iter().all(|r| (r / factor - 1.0).abs() < 0.05));

@@ -13,12 +13,12 @@ use crate::cell::Workcell;
 use crate::hazard::{Class, Finding, STANDSTILL_M_S};
 use crate::host::PlantError;
 use crate::human::{Action, Body};
-use crate::record::begin::Begin;
+use crate::record::begin::InitialConditionRecord;
 use crate::record::hazard::Hazard;
-use crate::record::looks::Looks;
 use crate::record::narrower::Narrower;
 use crate::record::recorded::Recorded;
-use crate::report::verified::{Outcome, Verified};
+use crate::record::scan_question::ScanQuestion;
+use crate::report::verified::{Verified, VerifiedOutcome};
 use crate::sim::replay::replay;
 use crate::sim::simulation::Instant;
 
@@ -26,13 +26,13 @@ use crate::sim::simulation::Instant;
 pub(crate) struct Again<'a> {
     prepared: &'a Prepared,
     /// What the scan looked for; nothing if the cell file is the one that was scanned, in which all of it is the same.
-    earlier: Option<Looks>,
+    earlier: Option<ScanQuestion>,
     /// Where hazards begin that have no beginning of their own.
-    begun: Result<Place, Outcome>,
+    begun: Result<CellAtCondition, VerifiedOutcome>,
 }
 
 /// A cell as the person begins at one place.
-struct Place {
+struct CellAtCondition {
     prepared: Prepared,
     /// What there is to see while the person stands there.
     rest: OnceCell<Result<Vec<Instant>, PlantError>>,
@@ -45,18 +45,18 @@ impl<'a> Again<'a> {
     /// When the changed cell cannot be simulated from there, but for want of room.
     pub(crate) fn new(prepared: &'a Prepared, scan: &Recorded) -> Result<Self, PrepareError> {
         let same = scan.subject.is_cell(&prepared.subject.cell_sha256, &prepared.subject.files);
-        let looks = scan.looks().map(|looks| Looks { begins: scan.begins(), ..looks });
-        let not_recorded = || Outcome::NotJudged { cause: Narrower::NotRecorded };
+        let looks = scan.looks().map(|looks| ScanQuestion { begins: scan.begins(), ..looks });
+        let not_recorded = || VerifiedOutcome::NotJudged { cause: Narrower::NotRecorded };
         let body = looks.as_ref().and_then(|looks| looks.body?.body());
         let actions = scan.hazards.iter().map(longest).max().unwrap_or_default();
         let begins = looks.as_ref().and_then(|looks| looks.begins);
         let begun = match (begins, body) {
             _ if scan.is_from_anywhere() => Err(not_recorded()),
-            (Some(begins), Some(body)) => Place::new(prepared, begins, Some(body), actions)?,
+            (Some(begins), Some(body)) => CellAtCondition::new(prepared, begins, Some(body), actions)?,
             // Of the same file what is not written down is the same.
             (begins, _) if same => {
                 let begins = begins.unwrap_or_else(|| prepared.begins_at_once());
-                Place::new(prepared, begins, None, actions)?
+                CellAtCondition::new(prepared, begins, None, actions)?
             }
             _ => Err(not_recorded()),
         };
@@ -69,7 +69,7 @@ impl<'a> Again<'a> {
     /// When the changed cell cannot be simulated from there, but for want of room.
     pub(crate) fn verify(&self, hazard: &Hazard) -> Result<Verified, PrepareError> {
         let outcome = match self.asks_less(hazard) {
-            Some(cause) => Outcome::NotJudged { cause },
+            Some(cause) => VerifiedOutcome::NotJudged { cause },
             None => self.outcome(hazard)?,
         };
         Ok(Verified { hazard: hazard.clone(), outcome })
@@ -85,7 +85,7 @@ impl<'a> Again<'a> {
         looks(cell).judges_less(self.earlier.as_ref()?, hazard)
     }
 
-    fn outcome(&self, hazard: &Hazard) -> Result<Outcome, PrepareError> {
+    fn outcome(&self, hazard: &Hazard) -> Result<VerifiedOutcome, PrepareError> {
         let own;
         let place = match (hazard.begins, &self.begun) {
             (None, Ok(begun)) => begun,
@@ -93,9 +93,9 @@ impl<'a> Again<'a> {
             (Some(begins), _) => {
                 let body = self.earlier.as_ref().and_then(|earlier| earlier.body?.body());
                 if self.earlier.is_some() && body.is_none() {
-                    return Ok(Outcome::NotJudged { cause: Narrower::NotRecorded });
+                    return Ok(VerifiedOutcome::NotJudged { cause: Narrower::NotRecorded });
                 }
-                match Place::new(self.prepared, begins, body, longest(hazard))? {
+                match CellAtCondition::new(self.prepared, begins, body, longest(hazard))? {
                     Ok(place) => own = place,
                     Err(outcome) => return Ok(outcome),
                 }
@@ -107,7 +107,7 @@ impl<'a> Again<'a> {
         let mut worst: Option<Finding> = None;
         for actions in &sequences[..different] {
             match place.run(actions) {
-                Err(error) => return Ok(Outcome::NotRun { cause: error.message }),
+                Err(error) => return Ok(VerifiedOutcome::NotRun { cause: error.message }),
                 Ok(Some(found)) if worst.as_ref().is_none_or(|w| found.contact.ratio() > w.contact.ratio()) => {
                     worst = Some(found);
                 }
@@ -115,9 +115,9 @@ impl<'a> Again<'a> {
             }
         }
         let Some(found) = worst else {
-            return Ok(place.shows_nothing(hazard, &self.saw(hazard, place)).unwrap_or(Outcome::Fixed));
+            return Ok(place.shows_nothing(hazard, &self.saw(hazard, place)).unwrap_or(VerifiedOutcome::Fixed));
         };
-        Ok(Outcome::StillThere {
+        Ok(VerifiedOutcome::StillThere {
             ratio: found.contact.ratio(),
             force_n: found.contact.deciding_force_n(),
             body_region: found.contact.region.to_string(),
@@ -129,7 +129,7 @@ impl<'a> Again<'a> {
 
 impl Again<'_> {
     /// The sensors that reported somebody who stood there when the hazard was found.
-    fn saw(&self, hazard: &Hazard, place: &Place) -> Vec<String> {
+    fn saw(&self, hazard: &Hazard, place: &CellAtCondition) -> Vec<String> {
         match &self.earlier {
             // The same zones.
             None => place.prepared.seen_at_start(),
@@ -149,18 +149,18 @@ fn longest(hazard: &Hazard) -> usize {
     hazard.actions.len().max(hazard.shortest.actions.len())
 }
 
-impl Place {
+impl CellAtCondition {
     /// The cell from there, for so many actions at least; or why nothing can be tried from there.
     fn new(
         prepared: &Prepared,
-        begins: Begin,
+        begins: InitialConditionRecord,
         body: Option<Body>,
         actions: usize,
-    ) -> Result<Result<Self, Outcome>, PrepareError> {
-        match prepared.begun(begins, body, actions) {
+    ) -> Result<Result<Self, VerifiedOutcome>, PrepareError> {
+        match prepared.prepared_at(begins, body, actions) {
             Ok(prepared) => Ok(Ok(Self { prepared, rest: OnceCell::new() })),
-            Err(PrepareError::NoRoom(_)) => Ok(Err(Outcome::NoRoom)),
-            Err(PrepareError::SeenAtTimes { sensor, .. }) => Ok(Err(Outcome::Seen { sensor })),
+            Err(PrepareError::NoRoom(_)) => Ok(Err(VerifiedOutcome::NoRoom)),
+            Err(PrepareError::DetectedAtTimes { sensor, .. }) => Ok(Err(VerifiedOutcome::Seen { sensor })),
             Err(error) => Err(error),
         }
     }
@@ -172,7 +172,7 @@ impl Place {
 
     /// Why it says nothing that nothing was met from there: a sensor that saw nobody there reports somebody who only stands there,
     /// or the robot does not move then. Where a control is worked that may be what is repaired.
-    fn shows_nothing(&self, hazard: &Hazard, seen_before: &[String]) -> Option<Outcome> {
+    fn shows_nothing(&self, hazard: &Hazard, seen_before: &[String]) -> Option<VerifiedOutcome> {
         let rest = self.rest.get_or_init(|| {
             let mut simulation = self.prepared.simulation(StateChoice::Replay, false)?;
             let actions = vec![Action::REST; self.prepared.cell.search.actions as usize];
@@ -180,14 +180,14 @@ impl Place {
         });
         let rest = match rest {
             Ok(rest) => rest,
-            Err(error) => return Some(Outcome::NotRun { cause: error.message.clone() }),
+            Err(error) => return Some(VerifiedOutcome::NotRun { cause: error.message.clone() }),
         };
         let cell = &self.prepared.cell;
         let rest = &rest[..rest.len().min(longest(hazard) * cell.steps_per_action + 1)];
         let reports = |sensor: usize| rest.iter().any(|instant| instant.readings[sensor]);
         let mut sensors = cell.sensors.iter().enumerate().filter(|(_, sensor)| !seen_before.contains(&sensor.name));
         if let Some((_, sensor)) = sensors.find(|(number, _)| reports(*number)) {
-            return Some(Outcome::Seen { sensor: sensor.name.clone() });
+            return Some(VerifiedOutcome::Seen { sensor: sensor.name.clone() });
         }
         let link = cell.links.iter().find(|link| link.name == hazard.robot_link);
         let is_its = |robot: usize| link.is_none_or(|link| link.robot == robot);
@@ -200,13 +200,13 @@ impl Place {
             return None;
         }
         let robot = link.map_or_else(|| "the robot".to_owned(), |link| cell.robots[link.robot].name.clone());
-        Some(Outcome::Still { robot })
+        Some(VerifiedOutcome::Still { robot })
     }
 }
 
 /// What a scan of the cell would look for, but from where and how long.
-fn looks(cell: &Workcell) -> Looks {
-    Looks {
+fn looks(cell: &Workcell) -> ScanQuestion {
+    ScanQuestion {
         speed_criterion: cell.criteria.speed(),
         criteria: criteria(cell),
         arm_speed_m_s: cell.arm_speed_m_s,

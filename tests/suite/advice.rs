@@ -6,12 +6,14 @@ use std::sync::Arc;
 
 use crate::common::guarded::{bar, every_sequence, guarded};
 use crate::sample;
-use fmi_hazard::host::selftest::Rung;
-use fmi_hazard::record::advice::{Met, OneLess, Others, Outcome, Remedy};
+use fmi_hazard::host::selftest::StateRestore;
+use fmi_hazard::record::advice::{
+    HazardAfterChange, NextSmaller, RemainingHazards, RiskReduction, RiskReductionOutcome,
+};
 use fmi_hazard::record::model::ScanReport;
 use fmi_hazard::scan::advise::advise;
 use fmi_hazard::scan::prepare::prepare;
-use fmi_hazard::scan::remedy::Effort;
+use fmi_hazard::scan::risk_reduction::RiskReductionBudget;
 use fmi_hazard::scan::{Prepared, StateChoice};
 use fmi_hazard::sim::replay::replay;
 use fmi_hazard::standards::BodyRegion;
@@ -51,7 +53,7 @@ actions = 4
 }
 
 /// More than the cells here need.
-const EFFORT: Effort = Effort {
+const EFFORT: RiskReductionBudget = RiskReductionBudget {
     iterations: 2,
     quick: 10_000_000,
     work: 300_000_000,
@@ -66,9 +68,9 @@ struct Advised {
     prepared: Prepared,
     report: ScanReport,
     /// What came of changes against the worst cause.
-    remedies: Vec<Remedy>,
+    remedies: Vec<RiskReduction>,
     /// And against others, where these do not fall with it.
-    others: Vec<(usize, Vec<Remedy>)>,
+    others: Vec<(usize, Vec<RiskReduction>)>,
     _dir: TempDir,
 }
 
@@ -81,13 +83,13 @@ fn advised_in(dir: TempDir, name: &str, text: &str, iterations: u32) -> Advised 
     std::fs::write(&path, text).unwrap();
     let prepared = prepare(&path, None).unwrap();
     let mut report = every_sequence(&prepared, false);
-    let effort = Effort { iterations, ..EFFORT };
+    let effort = RiskReductionBudget { iterations, ..EFFORT };
     let found = advise(&prepared, prepared.rung, &mut report, effort, &|_| {}).unwrap();
     Advised::new(prepared, report, found, dir)
 }
 
 impl Advised {
-    fn new(prepared: Prepared, report: ScanReport, mut found: Vec<(usize, Vec<Remedy>)>, dir: TempDir) -> Self {
+    fn new(prepared: Prepared, report: ScanReport, mut found: Vec<(usize, Vec<RiskReduction>)>, dir: TempDir) -> Self {
         let (worst, remedies) = found.remove(0);
         assert_eq!(worst, 0);
         Self { prepared, report, remedies, others: found, _dir: dir }
@@ -96,15 +98,15 @@ impl Advised {
 
 impl Advised {
     /// What came of the changes that begin with `words`.
-    fn of(&self, words: &str) -> Vec<&Remedy> {
-        let of: Vec<&Remedy> = self.remedies.iter().filter(|remedy| remedy.change.starts_with(words)).collect();
+    fn of(&self, words: &str) -> Vec<&RiskReduction> {
+        let of: Vec<&RiskReduction> = self.remedies.iter().filter(|remedy| remedy.change.starts_with(words)).collect();
         assert!(!of.is_empty(), "{words}: {:#?}", self.remedies);
         of
     }
 
     /// The change that begins so and is offered as enough.
-    fn enough(&self, words: &str) -> Option<&Remedy> {
-        self.of(words).into_iter().find(|remedy| matches!(remedy.outcome, Outcome::Sufficient(_)))
+    fn enough(&self, words: &str) -> Option<&RiskReduction> {
+        self.of(words).into_iter().find(|remedy| matches!(remedy.outcome, RiskReductionOutcome::Sufficient(_)))
     }
 
     /// The value that a parameter is to have.
@@ -120,7 +122,7 @@ impl Advised {
         !every_sequence(&changed, true).hazards.is_empty()
     }
 
-    fn leads_to_a_hazard(&self, met: &Met) -> bool {
+    fn leads_to_a_hazard(&self, met: &HazardAfterChange) -> bool {
         let cell = self.prepared.changed(&met.cell).unwrap().beginning(met.beginning).unwrap();
         // What comes only later than the cell file looks would take long to look at completely.
         if met.actions.len() <= self.prepared.cell.search.actions as usize && met.from.is_none() {
@@ -139,7 +141,7 @@ impl Advised {
         let on =
             |card: usize| cards[card].iter().flat_map(|advice| &advice.changes).filter(|change| change.removes_all);
         for remedy in &self.remedies {
-            let Outcome::Sufficient(checked) = &remedy.outcome else { continue };
+            let RiskReductionOutcome::Sufficient(checked) = &remedy.outcome else { continue };
             enough += 1;
             for card in 0..cards.len() {
                 assert!(on(card).any(|change| change.change == remedy.change && change.complete), "{cards:#?}");
@@ -151,14 +153,14 @@ impl Advised {
                 assert!(!self.is_hazardous(&remedy.cell, beginning), "{}", remedy.change);
             }
             match &checked.one_less {
-                OneLess::AsItIs => assert!(self.is_hazardous(&self.prepared.text, self.prepared.cell.beginning)),
-                OneLess::Met(met) => {
+                NextSmaller::AsItIs => assert!(self.is_hazardous(&self.prepared.text, self.prepared.cell.beginning)),
+                NextSmaller::Met(met) => {
                     assert_ne!(met.cell, remedy.cell);
                     assert!(self.leads_to_a_hazard(met), "{}: {met:?}", remedy.change);
                 }
-                OneLess::NotTried { cause } => panic!("{}: {cause}", remedy.change),
+                NextSmaller::NotTried { cause } => panic!("{}: {cause}", remedy.change),
                 // Nobody looks from anywhere here.
-                OneLess::Close { change, .. } => panic!("{}: {change}", remedy.change),
+                NextSmaller::Close { change, .. } => panic!("{}: {change}", remedy.change),
             }
         }
         enough
@@ -167,9 +169,9 @@ impl Advised {
     /// What is said against the changes that begin so, of which none is offered.
     fn not_advised(&self, words: &str) -> Vec<String> {
         assert!(self.enough(words).is_none(), "{words}");
-        let cause = |remedy: &&Remedy| match &remedy.outcome {
-            Outcome::NoAdvice { cause } => Some(cause.clone()),
-            Outcome::NoHelp { limit } => limit.clone(),
+        let cause = |remedy: &&RiskReduction| match &remedy.outcome {
+            RiskReductionOutcome::NoAdvice { cause } => Some(cause.clone()),
+            RiskReductionOutcome::NoHelp { limit } => limit.clone(),
             _ => None,
         };
         self.of(words).iter().filter_map(cause).collect()
@@ -203,8 +205,8 @@ fn a_mat_that_is_far_too_narrow_is_made_as_wide_as_it_has_to_be() {
 fn same_plainly(advised: &Advised) {
     let mut plainly = advised.report.clone();
     plainly.causes.iter_mut().for_each(|cause| cause.advice = None);
-    let alone = Effort { workers: 1, ..EFFORT };
-    let again = advise(&advised.prepared, Rung::Instances, &mut plainly, alone, &|_| {}).unwrap();
+    let alone = RiskReductionBudget { workers: 1, ..EFFORT };
+    let again = advise(&advised.prepared, StateRestore::Instances, &mut plainly, alone, &|_| {}).unwrap();
     let all: Vec<_> = std::iter::once((0, advised.remedies.clone())).chain(advised.others.clone()).collect();
     assert_eq!(again, all);
     assert_eq!(plainly.causes, advised.report.causes);
@@ -240,7 +242,7 @@ fn a_protective_distance_is_enough_from_everywhere_and_never_smaller() {
         advised.of("FMU parameter ssm.distance").into_iter().find(|remedy| number(&remedy.change, "= ") < 1.0);
     let outcome = &smaller.unwrap().outcome;
     assert!(
-        matches!(outcome, Outcome::NoAdvice { cause } if cause.contains("makes a safeguard smaller")),
+        matches!(outcome, RiskReductionOutcome::NoAdvice { cause } if cause.contains("makes a safeguard smaller")),
         "{outcome:?}"
     );
 }
@@ -292,7 +294,7 @@ fn larger_field(limits: &str) -> Advised {
     assert!((1.1..1.7).contains(&radius), "{radius}");
     let smaller = far.of("FMU parameter field.radius").into_iter().find(|remedy| number(&remedy.change, "= ") < 1.0);
     assert!(
-        matches!(&smaller.unwrap().outcome, Outcome::NoAdvice { cause } if cause.contains("field then reports")),
+        matches!(&smaller.unwrap().outcome, RiskReductionOutcome::NoAdvice { cause } if cause.contains("field then reports")),
         "{:#?}",
         far.remedies
     );
@@ -354,7 +356,7 @@ fn without_a_safeguard_the_speed_is_the_one_that_the_standard_allows() {
     assert!(speed <= 1.25 * safe && speed > 0.9 * safe, "{speed} {safe}");
     // A bar that stands farther away is reached later, that is all.
     let farther = advised.of("bar ")[0];
-    assert!(matches!(farther.outcome, Outcome::OnlyLater(_)), "{farther:#?}");
+    assert!(matches!(farther.outcome, RiskReductionOutcome::OnlyLater(_)), "{farther:#?}");
 }
 
 #[test]
@@ -395,7 +397,10 @@ fn what_puts_one_of_several_causes_off_does_not_remove_it() {
     let farther: Vec<_> = found.flatten().filter(|remedy| remedy.change.starts_with("bar ")).collect();
     assert!(farther.len() > 1, "{farther:#?}");
     for remedy in farther {
-        assert!(matches!(remedy.outcome, Outcome::NoHelp { .. } | Outcome::OnlyLater(_)), "{remedy:#?}");
+        assert!(
+            matches!(remedy.outcome, RiskReductionOutcome::NoHelp { .. } | RiskReductionOutcome::OnlyLater(_)),
+            "{remedy:#?}"
+        );
     }
 }
 
@@ -409,8 +414,8 @@ fn what_removes_one_cause_and_leaves_another_says_so() {
     let mut mended = Vec::new();
     for (number, remedies) in found {
         for remedy in remedies {
-            let Outcome::OthersRemain(Others { complete, checked, .. }) = &remedy.outcome else {
-                assert!(!matches!(remedy.outcome, Outcome::Sufficient(_)), "{remedy:#?}");
+            let RiskReductionOutcome::OthersRemain(RemainingHazards { complete, checked, .. }) = &remedy.outcome else {
+                assert!(!matches!(remedy.outcome, RiskReductionOutcome::Sufficient(_)), "{remedy:#?}");
                 continue;
             };
             let card = causes[number].advice.as_ref().unwrap();
@@ -421,10 +426,10 @@ fn what_removes_one_cause_and_leaves_another_says_so() {
             assert!(!with.causes.is_empty() && with.causes.iter().all(|cause| !same(&cause.id)), "{:#?}", with.causes);
             // One step less leads to it again.
             let less = match &checked.one_less {
-                OneLess::Met(met) => left(&met.cell),
-                OneLess::AsItIs => continue,
-                OneLess::NotTried { cause } => panic!("{cause}"),
-                OneLess::Close { change, .. } => panic!("{change}"),
+                NextSmaller::Met(met) => left(&met.cell),
+                NextSmaller::AsItIs => continue,
+                NextSmaller::NotTried { cause } => panic!("{cause}"),
+                NextSmaller::Close { change, .. } => panic!("{change}"),
             };
             assert!(less.causes.iter().any(|cause| same(&cause.id)), "{:#?}", less.causes);
             mended.push(number);
@@ -493,7 +498,8 @@ fn every_beginning_counts() {
     let text = cell(&mat(-1.0), "").replace("[human]\n", "[human]\nbegins_s = [0, 6.2]\n") + &only_quickly(&[]);
     let advised = advised(&text);
     assert!(advised.verified() >= 1, "{:#?}", advised.remedies);
-    let Some(Outcome::Sufficient(checked)) = advised.enough("zone of mat").map(|remedy| &remedy.outcome) else {
+    let Some(RiskReductionOutcome::Sufficient(checked)) = advised.enough("zone of mat").map(|remedy| &remedy.outcome)
+    else {
         panic!("{:#?}", advised.remedies)
     };
     assert_eq!(checked.complete.len(), 2);
@@ -577,7 +583,7 @@ fn what_the_cell_file_fixes_is_not_changed() {
     let fixed = advised(&with_limits(&format!("{NO_DISTANCE}[explain.sensor]\nmat = {{ fixed = true }}\n")));
     assert!(!fixed.remedies.is_empty());
     for remedy in &fixed.remedies {
-        let said = matches!(&remedy.outcome, Outcome::NotTried { cause } if cause.contains("says that it is fixed"));
+        let said = matches!(&remedy.outcome, RiskReductionOutcome::NotTried { cause } if cause.contains("says that it is fixed"));
         assert!(said, "{remedy:?}");
     }
     for thing in ["mat", "bar", "drive.speed", "ssm.distance"] {
@@ -601,7 +607,10 @@ fn what_the_cell_file_fixes_is_not_changed() {
     let never = advised(&never);
     assert_eq!(never.verified(), 0, "{:#?}", never.remedies);
     let said = never.of("ssm.distance");
-    assert!(matches!(&said[0].outcome, Outcome::NotTried { cause } if cause.contains("never larger")), "{said:#?}");
+    assert!(
+        matches!(&said[0].outcome, RiskReductionOutcome::NotTried { cause } if cause.contains("never larger")),
+        "{said:#?}"
+    );
 }
 
 #[test]

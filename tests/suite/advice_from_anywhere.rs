@@ -8,12 +8,12 @@ use crate::common::guarded::every_sequence;
 use crate::common::{fmi_hazard, scan_json, write};
 use crate::restarts::{UNTIL_S, WATCHES, cell, folder};
 use crate::sample;
-use fmi_hazard::record::advice::{Met, OneLess, Outcome, Remedy};
+use fmi_hazard::record::advice::{HazardAfterChange, NextSmaller, RiskReduction, RiskReductionOutcome};
 use fmi_hazard::scan::Prepared;
 use fmi_hazard::scan::advise::advise;
-use fmi_hazard::scan::anywhere::Until;
 use fmi_hazard::scan::prepare::prepare;
-use fmi_hazard::scan::remedy::{Effort, Everywhere};
+use fmi_hazard::scan::reachability::Until;
+use fmi_hazard::scan::risk_reduction::{ReachabilityBudget, RiskReductionBudget};
 use fmi_hazard::sim::answers::Answers;
 use serde_json::Value;
 use tempfile::TempDir;
@@ -48,7 +48,7 @@ fn wall(name: &str, [x, y]: [f64; 2], [wide, high]: [f64; 2]) -> String {
 /// A cell, and what comes of changes against its worst cause.
 struct Advised {
     prepared: Prepared,
-    remedies: Vec<Remedy>,
+    remedies: Vec<RiskReduction>,
     dir: TempDir,
     until_s: f64,
 }
@@ -58,14 +58,14 @@ fn advised(text: &str, until_s: f64) -> Advised {
     let prepared = prepare(&write(dir.path(), "cell.toml", text), None).unwrap();
     let mut report = every_sequence(&prepared, false);
     assert!(!report.hazards.is_empty());
-    let everywhere = Everywhere { until: Until::Seconds(until_s), presses: 0, states: 100_000, searches: 12 };
-    let effort = Effort { everywhere: Some(everywhere), workers: 2, ..Effort::usual() };
+    let everywhere = ReachabilityBudget { until: Until::Seconds(until_s), presses: 0, states: 100_000, searches: 12 };
+    let effort = RiskReductionBudget { everywhere: Some(everywhere), workers: 2, ..RiskReductionBudget::usual() };
     let mut found = advise(&prepared, prepared.rung, &mut report, effort, &|_| {}).unwrap();
     Advised { prepared, remedies: found.remove(0).1, dir, until_s }
 }
 
 impl Advised {
-    fn of(&self, words: &str) -> &Remedy {
+    fn of(&self, words: &str) -> &RiskReduction {
         let mut of = self.remedies.iter().filter(|remedy| remedy.change.contains(words));
         of.next().unwrap_or_else(|| panic!("{words}: {:#?}", self.remedies))
     }
@@ -76,19 +76,19 @@ impl Advised {
     }
 
     /// The change is called enough, and is; what less of it leads to.
-    fn is_enough(&self, words: &str) -> Option<Met> {
+    fn is_enough(&self, words: &str) -> Option<HazardAfterChange> {
         let remedy = self.of(words);
-        let Outcome::Sufficient(checked) = &remedy.outcome else { panic!("{remedy:#?}") };
+        let RiskReductionOutcome::Sufficient(checked) = &remedy.outcome else { panic!("{remedy:#?}") };
         assert!(checked.is_enough(), "{remedy:#?}");
         assert!(!self.is_hazardous(&remedy.cell), "{}", remedy.change);
         let path = write(self.dir.path(), "changed.toml", &remedy.cell);
         let looked = look_with((&path, self.until_s, 2), &Answers::default(), &mut |_| ControlFlow::Continue(()));
         assert!(looked.found.verdict.is_clean(), "{}: {:?}", remedy.change, looked.found.reasons);
         let less = match &checked.one_less {
-            OneLess::AsItIs => return None,
-            OneLess::Met(met) => met,
-            OneLess::Close { met, .. } => met.as_ref().unwrap(),
-            OneLess::NotTried { cause } => panic!("{cause}"),
+            NextSmaller::AsItIs => return None,
+            NextSmaller::Met(met) => met,
+            NextSmaller::Close { met, .. } => met.as_ref().unwrap(),
+            NextSmaller::NotTried { cause } => panic!("{cause}"),
         };
         let begins_there = less.from.is_none() && less.actions.len() <= self.prepared.cell.search.actions as usize;
         assert!(!begins_there || self.is_hazardous(&less.cell), "{}: {less:?}", remedy.change);
@@ -111,7 +111,7 @@ fn a_fence_is_raised_as_far_as_it_has_to_be() {
     assert!(advised.is_enough("left and right").is_some());
     assert!(advised.of("left and right").change.ends_with("m higher"));
     for words in ["left 1", "right 1"] {
-        assert!(matches!(advised.of(words).outcome, Outcome::NoHelp { .. }), "{:#?}", advised.of(words));
+        assert!(matches!(advised.of(words).outcome, RiskReductionOutcome::NoHelp { .. }), "{:#?}", advised.of(words));
     }
 }
 

@@ -7,12 +7,12 @@ use std::path::Path;
 
 use crate::common::guarded::{bar, every_sequence, guarded};
 use fmi_hazard::host::PlantError;
-use fmi_hazard::record::advice::{Checked, OneLess, Outcome, Remedy};
+use fmi_hazard::record::advice::{NextSmaller, RiskReduction, RiskReductionOutcome, TestedAgainst};
 use fmi_hazard::record::model::Verdict;
 use fmi_hazard::scan::advise::advise;
-use fmi_hazard::scan::anywhere::{Effort as AnywhereEffort, Until, anywhere, refusal};
 use fmi_hazard::scan::prepare::prepare;
-use fmi_hazard::scan::remedy::{Effort, Everywhere};
+use fmi_hazard::scan::reachability::{AnalysisLimits as AnywhereEffort, Until, analyse, refusal};
+use fmi_hazard::scan::risk_reduction::{ReachabilityBudget, RiskReductionBudget};
 use fmi_hazard::scan::{Prepared, StateChoice};
 use fmi_hazard::sim::answers::Answers;
 use tempfile::TempDir;
@@ -21,9 +21,15 @@ use tempfile::TempDir;
 const UNTIL: Until = Until::Seconds(2.0);
 
 /// What explain has by default, with a little more for complete searches.
-fn effort() -> Effort {
-    let everywhere = Everywhere { until: UNTIL, presses: 1, states: 100_000, searches: Everywhere::OF_ONE };
-    Effort { states: 200_000, work: 60_000_000, everywhere: Some(everywhere), ..Effort::usual() }
+fn effort() -> RiskReductionBudget {
+    let everywhere =
+        ReachabilityBudget { until: UNTIL, presses: 1, states: 100_000, searches: ReachabilityBudget::OF_ONE };
+    RiskReductionBudget {
+        states: 200_000,
+        work: 60_000_000,
+        everywhere: Some(everywhere),
+        ..RiskReductionBudget::usual()
+    }
 }
 
 /// One line of the table.
@@ -69,7 +75,7 @@ fn of_anywhere(prepared: &Prepared, text: &str) -> String {
         state: StateChoice::Auto,
         answers: &answers,
     };
-    match anywhere(&changed, effort, &mut |_| ControlFlow::Continue(())) {
+    match analyse(&changed, effort, &mut |_| ControlFlow::Continue(())) {
         Err(error) => format!("failed: {}", error.cause.message),
         Ok(looked) => match looked.found.verdict {
             Verdict::HazardsFound => {
@@ -82,17 +88,17 @@ fn of_anywhere(prepared: &Prepared, text: &str) -> String {
     }
 }
 
-fn of_one_less(prepared: &Prepared, checked: &Checked) -> &'static str {
+fn of_one_less(prepared: &Prepared, checked: &TestedAgainst) -> &'static str {
     match &checked.one_less {
-        OneLess::AsItIs => "as it is",
-        OneLess::NotTried { .. } | OneLess::Close { met: None, .. } => "not run",
+        NextSmaller::AsItIs => "as it is",
+        NextSmaller::NotTried { .. } | NextSmaller::Close { met: None, .. } => "not run",
         // It begins later or elsewhere than the cell says: the run that showed it is looked at in other tests.
-        OneLess::Met(met) | OneLess::Close { met: Some(met), .. }
+        NextSmaller::Met(met) | NextSmaller::Close { met: Some(met), .. }
             if met.from.is_some() || met.actions.len() > prepared.cell.search.actions as usize =>
         {
             "elsewhere"
         }
-        OneLess::Met(met) | OneLess::Close { met: Some(met), .. } => of_starts(prepared, &met.cell),
+        NextSmaller::Met(met) | NextSmaller::Close { met: Some(met), .. } => of_starts(prepared, &met.cell),
     }
 }
 
@@ -101,11 +107,11 @@ fn proved(name: &str, path: &Path) -> Result<Vec<(Line, bool)>, PlantError> {
     let prepared = prepare(path, None).unwrap();
     let mut report = every_sequence(&prepared, false);
     let found = advise(&prepared, prepared.rung, &mut report, effort(), &|_| {})?;
-    let enough = |remedy: Remedy| match remedy.outcome {
-        Outcome::Sufficient(checked) => Some((remedy.change, remedy.cell, checked)),
+    let enough = |remedy: RiskReduction| match remedy.outcome {
+        RiskReductionOutcome::Sufficient(checked) => Some((remedy.change, remedy.cell, checked)),
         _ => None,
     };
-    let line = |(change, cell, checked): (String, String, Checked)| {
+    let line = |(change, cell, checked): (String, String, TestedAgainst)| {
         let line = Line {
             cell: name.to_owned(),
             change,

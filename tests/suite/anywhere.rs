@@ -10,11 +10,11 @@ use crate::common::{examples, fmi_hazard, json, scan_json, write};
 use crate::sample;
 use fmi_hazard::human::Start;
 use fmi_hazard::obligations::Need;
-use fmi_hazard::record::anywhere::{Anywhere, Cell, Place};
 use fmi_hazard::record::model::Verdict;
+use fmi_hazard::record::reachability::{Cell, HarmfulPose, ReachabilityResult};
 use fmi_hazard::scan::StateChoice;
-use fmi_hazard::scan::anywhere::{Effort, Told, Until, anywhere};
 use fmi_hazard::scan::prepare::prepare;
+use fmi_hazard::scan::reachability::{AnalysisEvent, AnalysisLimits, Until, analyse};
 use fmi_hazard::sim::answers::Answers;
 use fmi_hazard::standards::BodyRegion;
 
@@ -74,9 +74,9 @@ fn fence(half_m: f64, [low, high]: [f64; 2]) -> String {
 }
 
 /// What is found when the first hazard ends the search.
-fn first_found(dir: &Path, text: &str, until_s: f64) -> Anywhere {
-    let tell = &mut |told: Told| match told {
-        Told::Floor(_, hazards) if hazards > 0 => ControlFlow::Break(()),
+fn first_found(dir: &Path, text: &str, until_s: f64) -> ReachabilityResult {
+    let tell = &mut |told: AnalysisEvent| match told {
+        AnalysisEvent::Floor(_, hazards) if hazards > 0 => ControlFlow::Break(()),
         _ => ControlFlow::Continue(()),
     };
     look_with((&write(dir, "cell.toml", text), until_s, 2), &Answers::default(), tell).found
@@ -137,7 +137,7 @@ fn in_a_gap_between_mats_somebody_is_hit_unseen() {
     let dir = guarded();
     let hole = look(dir.path(), &strip(&cell(0.45, &mats(1.3, 0.25)), 0.2, [-1.8, 0.0]), 0.2, 2);
     assert_eq!(hole.verdict, Verdict::HazardsFound, "{hole:#?}");
-    let unseen = |hazard: &&Place| hazard.confirmed && !hazard.walks_in && hazard.xy_m[1].abs() < 1.2;
+    let unseen = |hazard: &&HarmfulPose| hazard.confirmed && !hazard.walks_in && hazard.xy_m[1].abs() < 1.2;
     assert!(hole.hazards.iter().filter(unseen).count() > 0, "{hole:#?}");
     assert!(hole.hazards.iter().filter(unseen).all(|hazard| hazard.xy_m[0].abs() < 0.126), "{hole:#?}");
 }
@@ -164,7 +164,7 @@ fn where_a_mat_leaves_room_somebody_is_hit_unseen_and_elsewhere_the_bar_stands_i
     let hit: Vec<bool> = (0..12).map(is_hit).collect();
     assert!(hit.contains(&true) && hit.contains(&false), "{hit:?}");
     assert_eq!(hole.verdict, Verdict::HazardsFound, "{hole:#?}");
-    let unseen = |hazard: &&Place| hazard.confirmed && !hazard.walks_in && hazard.xy_m[1].abs() < 2.0;
+    let unseen = |hazard: &&HarmfulPose| hazard.confirmed && !hazard.walks_in && hazard.xy_m[1].abs() < 2.0;
     assert!(hole.hazards.iter().filter(unseen).count() > 0, "{hole:#?}");
     assert!(hole.hazards.iter().filter(unseen).all(|hazard| hazard.xy_m[0].abs() < 0.126), "{hole:#?}");
 }
@@ -237,7 +237,7 @@ fn a_clear_curtain_keeps_hands_off_but_those_that_lead_round_its_end() {
     let around = "floor_m = [[0, -1.2], [0.7, -1.2], [0.7, -0.6], [0, -0.6]]\nstart = { xy_m = [0.35, -1.1]";
     let near = cell(0.9, &front(0.2)).replace("start = { xy_m = [0, -3]", around);
     let found = look(dir.path(), &near, 0.1, 2);
-    let unseen = |place: &Place| place.confirmed && place.xy_m[1] < -0.6 && !place.sensors[0].person_detected;
+    let unseen = |place: &HarmfulPose| place.confirmed && place.xy_m[1] < -0.6 && !place.sensors[0].person_detected;
     assert!(found.hazards.iter().any(unseen), "{found:#?}");
 }
 
@@ -275,9 +275,9 @@ fn who_comes_in_over_a_mat_is_not_taken_to_have_passed_the_curtain() {
     let late = only_on(&late, [1.0, -0.3, 2.3, 0.3], [2.2, 0.0]);
     let found = look(dir.path(), &late, 0.5, 2);
     assert_eq!(found.verdict, Verdict::HazardsFound, "{:#?}", found.reasons);
-    let on_mat = |place: &Place| place.sensors.iter().all(|s| s.person_detected == (s.name == "mat"));
+    let on_mat = |place: &HarmfulPose| place.sensors.iter().all(|s| s.person_detected == (s.name == "mat"));
     let is_arm = |of: BodyRegion| matches!(of, BodyRegion::Hand | BodyRegion::LowerArm | BodyRegion::UpperArm);
-    let arms = |place: &Place| place.confirmed && on_mat(place) && is_arm(place.body_region);
+    let arms = |place: &HarmfulPose| place.confirmed && on_mat(place) && is_arm(place.body_region);
     assert!(found.hazards.iter().any(arms), "{:#?}", found.hazards);
 }
 
@@ -390,14 +390,14 @@ fn what_comes_before_the_first_cycle_counts_as_well() {
     let prepared = prepare(&write(dir.path(), "cell.toml", &text), None).unwrap();
     let answers = Answers::default();
     let (until, state) = (Until::Cycles(2), StateChoice::Auto);
-    let effort = Effort { until, workers: 1, most_states: 100_000, presses: 1, state, answers: &answers };
-    let found = anywhere(&prepared, effort, &mut |_| ControlFlow::Break(())).unwrap().found;
+    let effort = AnalysisLimits { until, workers: 1, most_states: 100_000, presses: 1, state, answers: &answers };
+    let found = analyse(&prepared, effort, &mut |_| ControlFlow::Break(())).unwrap().found;
     let cycle_s = found.cycle_s.expect("it repeats what it does");
     assert!((cycle_s - 1.26).abs() < 0.01 && (found.until_s - 2.92).abs() < 0.025, "{cycle_s} {}", found.until_s);
 }
 
 /// What is open.
-fn needs(found: &Anywhere) -> Vec<Need> {
+fn needs(found: &ReachabilityResult) -> Vec<Need> {
     found.obligations.open().map(|one| one.need).collect()
 }
 
@@ -473,7 +473,7 @@ fn who_is_seen_by_the_other_robots_field_only_is_hit() {
     let found = look_at(&part, 0.3, 2);
     assert_eq!(found.verdict, Verdict::HazardsFound, "{:?}", found.reasons);
     let in_field_a = |[x, y]: [f64; 2]| x < 0.0 && x > -2.4 && y > -1.6;
-    let is = |place: &&Place| in_field_a(place.xy_m) && place.robot_link.starts_with("robot B");
+    let is = |place: &&HarmfulPose| in_field_a(place.xy_m) && place.robot_link.starts_with("robot B");
     assert!(found.hazards.iter().any(|place| is(&place) && place.confirmed), "{:#?}", found.hazards);
 }
 
@@ -492,7 +492,8 @@ fn robots_that_heed_different_sensors_are_looked_at_one_by_one() {
     };
     let safe = two(["a", "b"], if sample::is_whole() { 0.5 } else { 0.3 });
     assert_eq!((safe.verdict, safe.open, needs(&safe)), (Verdict::Inconclusive, 0, vec![Need::Heeds; 2]), "{safe:#?}");
-    let grounds = |found: &Anywhere| found.reasons.iter().map(|ground| ground[..21].to_owned()).collect::<Vec<_>>();
+    let grounds =
+        |found: &ReachabilityResult| found.reasons.iter().map(|ground| ground[..21].to_owned()).collect::<Vec<_>>();
     assert_eq!(grounds(&safe), ["a does not heed mat b", "b does not heed mat a"]);
     // Of each robot: nobody was seen, its mat sees somebody, it does no more.
     assert!((4..=8).contains(&safe.histories.len()), "{safe:#?}");
@@ -548,7 +549,7 @@ fn a_bar_that_is_fast_for_10_ms_is_not_passed() {
 }
 
 /// Such controllers on a narrow strip of floor, by legs alone, with these parameters.
-fn on_a_strip(more: &str, until_s: f64) -> Anywhere {
+fn on_a_strip(more: &str, until_s: f64) -> ReachabilityResult {
     let dir = guarded();
     let floor =
         "start = { xy_m = [1.8, 0], heading_deg = 180 }\nfloor_m = [[0, -0.15], [2, -0.15], [2, 0.15], [0, 0.15]]\n";
@@ -670,22 +671,22 @@ fn what_was_ended_goes_on_and_parts_together_are_the_whole() {
 fn what_was_ended_goes_on(text: &str, until_s: f64) {
     let dir = guarded();
     let path = write(dir.path(), "cell.toml", text);
-    let json = |found: &Anywhere| serde_json::to_string(found).unwrap();
+    let json = |found: &ReachabilityResult| serde_json::to_string(found).unwrap();
     let whole = look_at(&path, until_s, 2);
     assert!(!whole.hazards.is_empty());
     let kept = dir.path().join("answers.bin");
     let mut answered = 0;
     for at in [0.5, 2.0] {
         let answers = Answers::open(&kept, "cell").unwrap();
-        let tell = &mut |told: Told| match told {
-            Told::Floor(share, _) if share > at => ControlFlow::Break(()),
+        let tell = &mut |told: AnalysisEvent| match told {
+            AnalysisEvent::Floor(share, _) if share > at => ControlFlow::Break(()),
             _ => ControlFlow::Continue(()),
         };
         let looked = look_with((&path, until_s, 2), &answers, tell);
         assert_eq!((looked.was_cut_short(), json(&looked.found) == json(&whole)), (at < 1.0, at > 1.0), "{at}");
         // Of floor that was not looked at to the end nothing clean is said.
         let is_told = |cell: &Cell| {
-            let Anywhere { floor, not_looked_at_m, .. } = &looked.found;
+            let ReachabilityResult { floor, not_looked_at_m, .. } = &looked.found;
             let [x, y] = cell.xy_m;
             let holds = |[left, low, right, high]: &[f64; 4]| *left < x && x < *right && *low < y && y < *high;
             floor.iter().any(|other| other.xy_m == cell.xy_m) || not_looked_at_m.iter().any(holds)

@@ -14,13 +14,13 @@ use fmi_hazard::human::posture::cut_back;
 use fmi_hazard::human::reach::{ArmSegment, ContactScore, ReachQuery, reach};
 use fmi_hazard::human::shoulder::is_available;
 use fmi_hazard::human::{PlacedBody, PoseBox, Posture, Side};
-use fmi_hazard::reachability::{Anywhere as Search, BODY_TOLERANCE_M, Seen as AnInstant};
+use fmi_hazard::reachability::{BODY_TOLERANCE_M, ReachabilitySearch as Search, ReachableInstant as AnInstant};
 use fmi_hazard::search::Rng;
 use fmi_hazard::sim::Coverage;
-use fmi_hazard::sim::curtain::Curtain;
+use fmi_hazard::sim::detection_plane::DetectionPlane;
 use fmi_hazard::sim::encounter::{Encounter, Judge, Person};
 use fmi_hazard::sim::robot::RobotFrame;
-use fmi_hazard::sim::sensors::{Seen, sees};
+use fmi_hazard::sim::sensors::{SensorTarget, sees};
 use fmi_hazard::standards::BodyRegion;
 
 /// The tolerance of arm searches in these cells, m.
@@ -81,7 +81,7 @@ impl ContactScore for Force<'_> {
 struct One<'a> {
     instant: &'a Instant,
     asked: &'a Asked<'a>,
-    curtain: Option<&'a Curtain>,
+    curtain: Option<&'a DetectionPlane>,
     obstacles: &'a [Cuboid],
     encounter: &'a Encounter,
     thinner: &'a ArmModel,
@@ -115,7 +115,7 @@ impl One<'_> {
     fn is_clear(&self, at: [f64; 2], heading: f64, posture: Posture) -> bool {
         let bodies = [posture, Posture::Upright].map(|posture| self.body(at, heading, posture));
         let sees = |body| {
-            let person = Seen { body: Some(body), ..seen(&self.instant.prepared, at, heading) };
+            let person = SensorTarget { body: Some(body), ..seen(&self.instant.prepared, at, heading) };
             self.instant.prepared.cell.sensors.iter().any(|sensor| sees(sensor, &person))
         };
         !bodies.into_iter().any(sees)
@@ -195,7 +195,7 @@ fn look_at_sets(asked: &Asked<'_>) -> (usize, usize) {
     history.seen = asked.depths_m.iter().map(|depth_m| AnInstant { depth_m: *depth_m, ..once.clone() }).collect();
     let obstacles: Vec<Cuboid> = cell.obstacles.iter().map(|obstacle| obstacle.cuboid).collect();
     let from = cell.beginnings[0].start.xy_m();
-    let curtains = Curtain::all(cell, Vec3::new(from[0], from[1], 0.0), &obstacles);
+    let curtains = DetectionPlane::all(cell, Vec3::new(from[0], from[1], 0.0), &obstacles);
     let arm = ArmModel::default();
     let encounter = Encounter {
         number: 0,

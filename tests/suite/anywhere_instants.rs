@@ -14,16 +14,16 @@ use fmi_hazard::geometry::Vec3;
 use fmi_hazard::human::posture::cut_back;
 use fmi_hazard::human::shoulder::is_available;
 use fmi_hazard::human::{PoseBox, Posture, Side};
-use fmi_hazard::reachability::told::{ARCS, Asking, Told, arc};
-use fmi_hazard::reachability::zones::Zones;
-use fmi_hazard::reachability::{Anywhere as Search, BODY_TOLERANCE_M, Histories, Means, told_in};
+use fmi_hazard::reachability::internal_sensors::{ARCS, InternalSensorMap, InternalSensorProbe, arc};
+use fmi_hazard::reachability::reading_regions::ReadingRegions;
+use fmi_hazard::reachability::{BODY_TOLERANCE_M, Histories, Means, ReachabilitySearch as Search, told_in};
 use fmi_hazard::scan::StateChoice;
 use fmi_hazard::scan::prepare::prepare;
 use fmi_hazard::search::Rng;
 use fmi_hazard::sim::Coverage;
 use fmi_hazard::sim::answers::Answers;
 use fmi_hazard::sim::encounter::{ArmSpace, Encounter, Judge, Person};
-use fmi_hazard::sim::sensors::{Seen, sees};
+use fmi_hazard::sim::sensors::{SensorTarget, sees};
 
 /// What is asked of some poses at an instant.
 struct Asked<'a> {
@@ -80,7 +80,9 @@ fn look_at_poses(asked: &Asked<'_>) -> (usize, usize) {
                 let bend = cut_back(&cell.body, position, heading, posture, &obstacles);
                 cell.body.placed(position, heading, posture, bend)
             });
-            bodies.into_iter().any(|body| sees(sensor, &Seen { body: Some(body), ..seen(prepared, before, heading) }))
+            bodies
+                .into_iter()
+                .any(|body| sees(sensor, &SensorTarget { body: Some(body), ..seen(prepared, before, heading) }))
         };
         // Who stands before a plane that is clear is held by it.
         let is_held = |sensor: &fmi_hazard::cell::Sensor| sensor.zone.walked_through().is_some() && at[1] <= -0.6;
@@ -222,7 +224,7 @@ fn a_gap_of_2_cm_that_few_headings_show_is_floor_on_which_nobody_is_seen() {
     let dir = guarded();
     let prepared = prepare(&write(dir.path(), "cell.toml", &text), None).unwrap();
     let search = Search::new(&prepared.cell, std::iter::empty(), 0.0, prepared.stop()).unwrap();
-    let zones = Zones::new(&search, &[false; 2], &[true; 2], (0.032, 30), 0).unwrap();
+    let zones = ReadingRegions::new(&search, &[false; 2], &[true; 2], (0.032, 30), 0).unwrap();
     let (floor, unseen, _) = search.ground();
     for number in 0..200 {
         let place = at(0.0, f64::from(number - 100) * step);
@@ -251,10 +253,11 @@ fn what_an_fmu_reports_of_people_is_among_what_is_told() {
             fmi_hazard::human::Floor::new(&cell.body, &[], (low, low.map(|at| at + 0.4)), 0.025, &prepared.stop())
                 .unwrap();
         let plant = prepared.plant(StateChoice::Auto);
-        let mut asking = Asking::new(plant, cell, &prepared.binding, 15, true).unwrap();
+        let mut asking = InternalSensorProbe::new(plant, cell, &prepared.binding, 15, true).unwrap();
         assert!(asking.settle(&floor, &mut || true).unwrap());
-        let told = Told::ask(&mut asking, &floor, &mut |_| ControlFlow::Continue(())).unwrap().unwrap();
-        let mut patient = Asking::new(prepared.plant(StateChoice::Auto), cell, &prepared.binding, 15, true).unwrap();
+        let told = InternalSensorMap::ask(&mut asking, &floor, &mut |_| ControlFlow::Continue(())).unwrap().unwrap();
+        let mut patient =
+            InternalSensorProbe::new(prepared.plant(StateChoice::Auto), cell, &prepared.binding, 15, true).unwrap();
         let (mut rng, mut kinds) = (Rng::new(19), BTreeSet::new());
         for _ in 0..1500 {
             let at = low.map(|low| uniform(&mut rng, low, low + 0.4));

@@ -6,8 +6,8 @@ use std::path::Path;
 use crate::common::anywhere::{cell, look, mat};
 use crate::common::guarded::guarded;
 use crate::common::test_fmus;
-use fmi_hazard::record::anywhere::{Anywhere, Place};
 use fmi_hazard::record::model::Verdict;
+use fmi_hazard::record::reachability::{HarmfulPose, ReachabilityResult};
 
 /// By legs alone, by a bar that is slow enough to be stopped in time.
 fn by_legs(text: &str) -> String {
@@ -38,12 +38,12 @@ fn fence(gap_m: f64) -> String {
     .concat()
 }
 
-fn is_shown(found: &Anywhere) -> bool {
+fn is_shown(found: &ReachabilityResult) -> bool {
     found.hazards.iter().any(|place| place.confirmed)
 }
 
 /// Nothing is shown of it, and that is said.
-fn is_open(found: &Anywhere) -> bool {
+fn is_open(found: &ReachabilityResult) -> bool {
     !is_shown(found)
         && found.verdict == Verdict::Inconclusive
         && !found.hazards.is_empty()
@@ -97,6 +97,6 @@ fn who_cannot_get_between_mats_unseen_is_not_shown_to_be_hit_there() {
     let dir = guarded();
     let (narrow, wide) = (looked(dir.path(), 0.12), looked(dir.path(), 0.22));
     assert!(is_open(&narrow), "{narrow:#?}");
-    let unseen = |place: &Place| place.confirmed && !place.walks_in && place.xy_m[1] > -1.2;
+    let unseen = |place: &HarmfulPose| place.confirmed && !place.walks_in && place.xy_m[1] > -1.2;
     assert!(wide.hazards.iter().any(unseen), "{wide:#?}");
 }

@@ -6,16 +6,16 @@ use std::path::Path;
 use fmi_hazard::geometry::Vec3;
 use fmi_hazard::host::Recall;
 use fmi_hazard::human::{Action, ControlledBy, Posture, Presses, Start, Walk};
-use fmi_hazard::reachability::instants::Part;
+use fmi_hazard::reachability::instants::RobotGroup;
 use fmi_hazard::reachability::machine::Machine;
-use fmi_hazard::reachability::zones::Zones;
-use fmi_hazard::reachability::{Anywhere as Search, History};
+use fmi_hazard::reachability::reading_regions::ReadingRegions;
+use fmi_hazard::reachability::{History, ReachabilitySearch as Search};
 use fmi_hazard::scan::StateChoice;
 use fmi_hazard::scan::prepare::{Prepared, prepare};
 use fmi_hazard::search::Rng;
 use fmi_hazard::search::tracks::explore;
 use fmi_hazard::sim::robot::RobotFrame;
-use fmi_hazard::sim::sensors::Seen;
+use fmi_hazard::sim::sensors::SensorTarget;
 use serde_json::Value;
 
 use crate::common::{examples, fmi_hazard};
@@ -33,9 +33,10 @@ fn floor_m(larger_m: f64) -> f64 {
 fn histories(prepared: &Prepared, presses: u32) -> Vec<History> {
     let cell = &*prepared.cell;
     let search = Search::on_cells_of(floor_m(0.05), cell, std::iter::empty(), 0.0, prepared.stop()).unwrap();
-    let part = Part { sensors: vec![true], links: vec![true; cell.links.len()].into() };
-    let zones = Zones::new(&search, &[false], &part.sensors, (1.6 * cell.step_s, STEPS), presses).unwrap();
-    let nobody = Seen { feet: [Vec3::ZERO; 2], besides: None, body: None, position: Vec3::ZERO, heading_rad: 0.0 };
+    let part = RobotGroup { sensors: vec![true], links: vec![true; cell.links.len()].into() };
+    let zones = ReadingRegions::new(&search, &[false], &part.sensors, (1.6 * cell.step_s, STEPS), presses).unwrap();
+    let nobody =
+        SensorTarget { feet: [Vec3::ZERO; 2], besides: None, body: None, position: Vec3::ZERO, heading_rad: 0.0 };
     let people = vec![nobody; zones.readings.len()];
     let recall = Recall::new(prepared.plant(StateChoice::Auto), prepared.policy(StateChoice::Auto)).unwrap();
     let mut machine = Machine::new(recall, (cell, &prepared.binding), (&zones, people), (&part, presses));
@@ -119,7 +120,7 @@ fn whoever_has_pressed_is_near_the_button() {
         let cell = &*prepared.cell;
         let search = Search::on_cells_of(floor_m(0.1), cell, std::iter::empty(), 0.0, prepared.stop()).unwrap();
         let stride_m = 1.6 * cell.step_s;
-        let zones = Zones::new(&search, &[false], &[true], (stride_m, 100), 1).unwrap();
+        let zones = ReadingRegions::new(&search, &[false], &[true], (stride_m, 100), 1).unwrap();
         let pressed: Vec<_> = zones.ways.iter().filter(|way| way.pressed == Presses::one(0)).collect();
         assert!(pressed.len() > 2, "{file}: {} ways", pressed.len());
         let unseen = pressed.iter().filter(|way| !zones.readings[way.to][0]);
@@ -140,7 +141,7 @@ fn whoever_has_pressed_is_near_the_button() {
             .map(|at| ways_back.clone().map(|way| way.field.least(at, 0.0)).filter(|least| *least <= stride_m).count());
         assert!(front > 0 && inside > 0, "{file}: {front} {inside}");
         // Nobody works it whom the cell file does not let.
-        let none = Zones::new(&search, &[false], &[true], (stride_m, 100), 0).unwrap();
+        let none = ReadingRegions::new(&search, &[false], &[true], (stride_m, 100), 0).unwrap();
         assert!(none.ways.iter().all(|way| way.pressed.is_none()) && none.ways.len() < zones.ways.len());
     }
 }

@@ -10,18 +10,18 @@ use crate::sample;
 use fmi_hazard::geometry::{Capsule, Solid, Vec3};
 use fmi_hazard::host::{Plant as _, Recall};
 use fmi_hazard::human::{Presses, Start};
-use fmi_hazard::reachability::instants::Part;
+use fmi_hazard::reachability::instants::RobotGroup;
 use fmi_hazard::reachability::machine::Machine;
-use fmi_hazard::reachability::zones::{Way, Zones};
-use fmi_hazard::reachability::{Anywhere as Search, History, Seen as AnInstant};
-use fmi_hazard::record::anywhere::{Anywhere, Place};
+use fmi_hazard::reachability::reading_regions::{ReadingRegions, ReadingTransition};
+use fmi_hazard::reachability::{History, ReachabilitySearch as Search, ReachableInstant as AnInstant};
 use fmi_hazard::record::model::Verdict;
+use fmi_hazard::record::reachability::{HarmfulPose, ReachabilityResult};
 use fmi_hazard::scan::StateChoice;
 use fmi_hazard::scan::prepare::prepare;
 use fmi_hazard::search::Rng;
-use fmi_hazard::search::tracks::{Taken, explore};
+use fmi_hazard::search::tracks::{PossibleStep, explore};
 use fmi_hazard::sim::robot::RobotFrame;
-use fmi_hazard::sim::sensors::{Seen, input_row, sees};
+use fmi_hazard::sim::sensors::{SensorTarget, input_row, sees};
 use tempfile::TempDir;
 
 /// By legs alone: nobody bends.
@@ -46,11 +46,11 @@ fn whatever_a_scan_of_somebody_with_a_rod_finds_is_found() {
 }
 
 /// What was found of a cell file's text, in a folder with what that names.
-struct Whole(TempDir, String, Anywhere);
+struct Whole(TempDir, String, ReachabilityResult);
 
 impl Whole {
     fn is_the_same_with_one_thread(&self) {
-        let json = |found: &Anywhere| serde_json::to_string(found).unwrap();
+        let json = |found: &ReachabilityResult| serde_json::to_string(found).unwrap();
         assert_eq!(json(&look(self.0.path(), &self.1, 1.2, 1)), json(&self.2));
     }
 }
@@ -101,7 +101,7 @@ fn whatever_complete_searches_find_of_who_walks_in_is_in_the_sets() {
     let late = format!("{}\"plc.t_react\" = 0.3\n", cell(0.9, &mat));
     let found = look(dir.path(), &late, 1.0, 2);
     // They start where nobody sees them.
-    let seen = |hazard: &&Place| hazard.confirmed && hazard.sensors[0].person_detected;
+    let seen = |hazard: &&HarmfulPose| hazard.confirmed && hazard.sensors[0].person_detected;
     let walks = found.hazards.iter().find(seen).expect("somebody who is seen is hit");
     let outside = walks.start_m.map(f64::abs);
     assert!(walks.walks_in && !walks.id.is_empty() && outside[0].max(outside[1]) > 1.6, "{walks:#?}");
@@ -150,14 +150,15 @@ fn wherever_the_bar_is_between_two_steps_it_is_within_what_it_sweeps() {
     let (prepared, fine, steps) = (prepared_at(0.02), prepared_at(0.002), 40);
     let (cell, binding) = (&*prepared.cell, &*prepared.binding);
     let search = Search::new(cell, std::iter::empty(), 0.0, prepared.stop()).unwrap();
-    let part = Part { sensors: vec![true], links: vec![true].into() };
-    let zones = Zones::new(&search, &[false], &part.sensors, (1.6 * cell.step_s, steps), 0).unwrap();
+    let part = RobotGroup { sensors: vec![true], links: vec![true].into() };
+    let zones = ReadingRegions::new(&search, &[false], &part.sensors, (1.6 * cell.step_s, steps), 0).unwrap();
     let entered = zones.ways.iter().position(|way| way.from.is_some() && way.is_first).expect("a way onto the mat");
-    let nobody = Seen { feet: [Vec3::ZERO; 2], besides: None, body: None, position: Vec3::ZERO, heading_rad: 0.0 };
+    let nobody =
+        SensorTarget { feet: [Vec3::ZERO; 2], besides: None, body: None, position: Vec3::ZERO, heading_rad: 0.0 };
     let people = vec![nobody.clone(); zones.readings.len()];
     let recall = Recall::new(prepared.plant(StateChoice::Auto), prepared.policy(StateChoice::Auto)).unwrap();
     let mut machine = Machine::new(recall, (cell, binding), (&zones, people), (&part, 0));
-    let look = &mut |machine: &mut Machine<'_, _>, taken: &Taken<'_, _>| {
+    let look = &mut |machine: &mut Machine<'_, _>, taken: &PossibleStep<'_, _>| {
         machine.look(taken);
         true
     };
@@ -207,7 +208,7 @@ fn whoever_walks_in_strides_is_where_fields_say() {
     let prepared = prepare(&write(dir.path(), "cell.toml", &cell(0.45, &mats)), None).unwrap();
     let search = Search::new(&prepared.cell, std::iter::empty(), 0.0, prepared.stop()).unwrap();
     let (none, steps) = (vec![false; 2], 12);
-    let zones = Zones::new(&search, &none, &[true; 2], (STRIDE_M, steps), 0).unwrap();
+    let zones = ReadingRegions::new(&search, &none, &[true; 2], (STRIDE_M, steps), 0).unwrap();
     let mut rng = Rng::new(5);
     let mut uniform = |low: f64, high: f64| {
         low + (high - low) * f64::from(u32::try_from(rng.below(1 << 20)).unwrap()) / f64::from(1 << 20)
@@ -215,7 +216,7 @@ fn whoever_walks_in_strides_is_where_fields_say() {
     let reported = |[x, y]: [f64; 2], heading_rad: f64| -> Vec<bool> {
         let position = Vec3::new(x, y, 0.0);
         let feet = prepared.cell.body.feet(position, heading_rad);
-        let seen = Seen { feet, besides: None, body: None, position, heading_rad };
+        let seen = SensorTarget { feet, besides: None, body: None, position, heading_rad };
         prepared.cell.sensors.iter().map(|sensor| sees(sensor, &seen)).collect()
     };
     let (mut walked, mut changed) = (0, 0);
@@ -274,10 +275,11 @@ fn whoever_walks_over_two_mats_is_in_the_sets_of_both_and_of_each() {
     let cell = &*prepared.cell;
     let stride_m = 1.6 * cell.step_s;
     let search = Search::new(cell, std::iter::empty(), 0.0, prepared.stop()).unwrap();
-    let nobody = Seen { feet: [Vec3::ZERO; 2], besides: None, body: None, position: Vec3::ZERO, heading_rad: 0.0 };
+    let nobody =
+        SensorTarget { feet: [Vec3::ZERO; 2], besides: None, body: None, position: Vec3::ZERO, heading_rad: 0.0 };
     let histories = |sensors: [bool; 2], links: [bool; 2]| {
-        let part = Part { sensors: sensors.to_vec(), links: links.to_vec().into() };
-        let zones = Zones::new(&search, &[false; 2], &part.sensors, (stride_m, STEPS), 0).unwrap();
+        let part = RobotGroup { sensors: sensors.to_vec(), links: links.to_vec().into() };
+        let zones = ReadingRegions::new(&search, &[false; 2], &part.sensors, (stride_m, STEPS), 0).unwrap();
         let recall = Recall::new(prepared.plant(StateChoice::Auto), prepared.policy(StateChoice::Auto)).unwrap();
         let people = vec![nobody.clone(); zones.readings.len()];
         let mut machine = Machine::new(recall, (cell, &prepared.binding), (&zones, people), (&part, 0));
@@ -320,7 +322,7 @@ fn whoever_walks_over_two_mats_is_in_the_sets_of_both_and_of_each() {
             ([uniform(-0.6, 0.6), uniform(-2.6, 2.6)], uniform(0.0, 6.3), Vec::new(), Vec::<(Vec<bool>, _)>::new());
         for _ in 0..STEPS {
             let position = Vec3::new(at[0], at[1], 0.0);
-            let person = Seen {
+            let person = SensorTarget {
                 feet: cell.body.feet(position, heading),
                 besides: None,
                 body: None,
@@ -366,7 +368,7 @@ fn smaller_cells_of_the_floor_leave_less() {
     let (step_m, steps) = (1.6 * cell.step_s, 40);
     let at_sizes = [0.1, 0.05, 0.025].map(|floor_m| {
         let search = Search::on_cells_of(floor_m, cell, std::iter::empty(), 0.0, prepared.stop()).unwrap();
-        let zones = Zones::new(&search, &[false], &[true], (step_m, steps), 0).unwrap();
+        let zones = ReadingRegions::new(&search, &[false], &[true], (step_m, steps), 0).unwrap();
         (search.ground().1, search.floor().clone(), zones)
     });
     let mut less = 0;
@@ -380,7 +382,7 @@ fn smaller_cells_of_the_floor_leave_less() {
             less += usize::from(!is_unseen && of_large(&|cell| large_unseen[cell]));
         }
         for way in &zones.ways {
-            let same = |other: &&Way| {
+            let same = |other: &&ReadingTransition| {
                 large_zones.readings[other.to] == zones.readings[way.to] && other.is_first == way.is_first
             };
             let other = large_zones.ways.iter().find(same).expect("what small cells leave large ones do");

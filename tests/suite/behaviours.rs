@@ -7,19 +7,19 @@ use crate::restarts::{WATCHES, cell, folder};
 use fmi_hazard::geometry::{Solid, Vec3};
 use fmi_hazard::host::{Plant as _, Policy, Recall};
 use fmi_hazard::reachability::held::HeldReadings;
-use fmi_hazard::reachability::instants::{Instants, Part};
+use fmi_hazard::reachability::instants::{Instants, RobotGroup};
+use fmi_hazard::reachability::internal_sensors::sensor_target;
 use fmi_hazard::reachability::machine::Machine as ByHistories;
 use fmi_hazard::reachability::of_behaviours::seen_by;
+use fmi_hazard::reachability::reading_regions::ReadingRegions;
 use fmi_hazard::reachability::reduced::Nearly;
-use fmi_hazard::reachability::told::seen;
-use fmi_hazard::reachability::zones::Zones;
-use fmi_hazard::reachability::{Anywhere, History, Seen};
+use fmi_hazard::reachability::{History, ReachabilitySearch, ReachableInstant};
 use fmi_hazard::scan::StateChoice;
 use fmi_hazard::scan::prepare::prepare;
 use fmi_hazard::search::Rng;
 use fmi_hazard::search::behaviours::stays::Stays;
 use fmi_hazard::search::behaviours::walks::{Style, Walked, walk};
-use fmi_hazard::search::behaviours::{Ended, Extent, any, find};
+use fmi_hazard::search::behaviours::{BehaviourSearchEnd, Extent, any, find};
 use fmi_hazard::search::tracks::explore;
 use fmi_hazard::sim::robot::RobotFrame;
 use fmi_hazard::standards::iso_13855::WALKING_SPEED_M_S;
@@ -29,14 +29,14 @@ use fmi_hazard::standards::iso_13855::WALKING_SPEED_M_S;
 #[test]
 fn an_fmu_does_what_its_behaviours_say() {
     for (fmu, latched_by, steps, ended) in [
-        ("gantry.fmu", "PLC", usize::MAX, Ended::Closed),
-        ("gantry-fmi3.fmu", "nobody", 60, Ended::Steps),
-        ("gantry.fmu", "host", usize::MAX, Ended::Closed),
+        ("gantry.fmu", "PLC", usize::MAX, BehaviourSearchEnd::Closed),
+        ("gantry-fmi3.fmu", "nobody", 60, BehaviourSearchEnd::Steps),
+        ("gantry.fmu", "host", usize::MAX, BehaviourSearchEnd::Closed),
     ] {
         let dir = folder(fmu);
         let prepared = prepare(&write(dir.path(), "cell.toml", &cell(WATCHES[0], latched_by)), None).unwrap();
         let readings = [vec![false], vec![true]];
-        let people = vec![seen(&prepared.cell, ([0.0, -1.1], 0.0)); 2];
+        let people = vec![sensor_target(&prepared.cell, ([0.0, -1.1], 0.0)); 2];
         let parts = (&*prepared.cell, &*prepared.binding);
         let mut machine = HeldReadings::new(
             prepared.plant(StateChoice::Auto),
@@ -80,13 +80,14 @@ fn stand_for_all(steps: usize, changes: usize) -> usize {
     let dir = folder("gantry.fmu");
     let prepared = prepare(&write(dir.path(), "cell.toml", &cell(WATCHES[0], "nobody")), None).unwrap();
     let (cell, binding) = (&*prepared.cell, &*prepared.binding);
-    let part = Part { sensors: vec![true], links: vec![true; cell.links.len()].into() };
+    let part = RobotGroup { sensors: vec![true], links: vec![true; cell.links.len()].into() };
     let plant = || prepared.plant(StateChoice::Auto);
     let robots = RobotFrame::new(cell, binding, &plant().restart().unwrap());
-    let search = Anywhere::new(cell, std::iter::once(&robots), 0.5, prepared.stop()).unwrap();
+    let search = ReachabilitySearch::new(cell, std::iter::once(&robots), 0.5, prepared.stop()).unwrap();
     let step_m = WALKING_SPEED_M_S * cell.step_s;
-    let zones = Zones::by_sides(&search, &[false], &part.sensors, step_m, &|all| (0..all.len()).collect()).unwrap();
-    let people = || vec![seen(cell, ([0.0, -1.1], 0.0)); zones.readings.len()];
+    let zones =
+        ReadingRegions::by_sides(&search, &[false], &part.sensors, step_m, &|all| (0..all.len()).collect()).unwrap();
+    let people = || vec![sensor_target(cell, ([0.0, -1.1], 0.0)); zones.readings.len()];
 
     let mut recall = Recall::new(plant(), Policy::States { max_checkpoints: usize::MAX }).unwrap();
     recall.ends_at(steps);
@@ -107,7 +108,7 @@ fn stand_for_all(steps: usize, changes: usize) -> usize {
     );
     let extent = Extent { held: &[30; 2], steps, most: 2_000_000 };
     let found = find(&mut machine, extent, &mut |_| ControlFlow::Continue(())).unwrap();
-    assert_ne!(found.ended, Ended::Most);
+    assert_ne!(found.ended, BehaviourSearchEnd::Most);
     let stays = Stays::find(&found, &zones, u32::try_from(2 * steps).unwrap());
     let mut instants = Instants::new((cell, binding), &zones, &part);
     let outputs = |number| machine.outputs(found.shown(number));
@@ -115,7 +116,7 @@ fn stand_for_all(steps: usize, changes: usize) -> usize {
     let nearly = Nearly { apart_m: 0.01, faster_m_s: 0.03, farther_m: 0.05 };
     let few = instants.reduced(nearly, &prepared.stop()).unwrap();
 
-    let within = |one: &Seen, all: &History| all.seen.iter().any(|stands| stands_for(stands, one));
+    let within = |one: &ReachableInstant, all: &History| all.seen.iter().any(|stands| stands_for(stands, one));
     let (mut all, mut as_they_are) = (0, 0);
     for (way, history) in exact.iter().enumerate() {
         let (own, wide) = &few[way];
@@ -132,7 +133,7 @@ fn stand_for_all(steps: usize, changes: usize) -> usize {
 }
 
 /// Whether links of robots at an instant are within those of others at another, no faster, and people have come no farther.
-fn stands_for(stands: &Seen, one: &Seen) -> bool {
+fn stands_for(stands: &ReachableInstant, one: &ReachableInstant) -> bool {
     let (wide, own) = (&stands.frame, &one.frame);
     let lies_within = |(link, solid): (usize, &Solid)| {
         let (Solid::Capsule(wide), Solid::Capsule(own)) = (&wide.links[link], solid) else { panic!("a capsule") };

@@ -11,7 +11,7 @@ use crate::common::{fmi_hazard, scan_json, write};
 use fmi_hazard::hazard::{Class, Finding, Identity};
 use fmi_hazard::human::{Action, Posture, Walk};
 use fmi_hazard::scan::{Prepared, StateChoice, prepare::prepare};
-use fmi_hazard::search::exhaustive::{Account, Told, exhaust};
+use fmi_hazard::search::exhaustive::{Account, SearchEvent, exhaust};
 use fmi_hazard::search::{End, Environment as _};
 use fmi_hazard::sim::Simulation;
 use tempfile::TempDir;
@@ -97,8 +97,8 @@ fn searched(prepared: &Prepared) -> (Account, Clampings) {
     let mut all = Clampings::new();
     let account = exhaust(&mut Few::of(prepared, &few()), BUDGET, &mut |told| {
         match told {
-            Told::Met(met) => add(&mut all, prepared, &met.unsafe_state),
-            Told::Noted { unsafe_state, .. } => add(&mut all, prepared, &unsafe_state),
+            SearchEvent::UnsafeState(met) => add(&mut all, prepared, &met.unsafe_state),
+            SearchEvent::Noted { unsafe_state, .. } => add(&mut all, prepared, &unsafe_state),
             _ => {}
         }
         ControlFlow::Continue(())

@@ -11,7 +11,7 @@ use fmi_hazard::human::{Action, Posture, Presses, Side, Walk, Who, shoulder};
 use fmi_hazard::scan::prepare::prepare;
 use fmi_hazard::search::Rng;
 use fmi_hazard::sim::World;
-use fmi_hazard::sim::world::Stance;
+use fmi_hazard::sim::world::PersonState;
 
 use crate::common::pair::Pair;
 use crate::common::{examples, fmi_hazard, scan_json};
@@ -114,7 +114,7 @@ fn a_hand_that_gets_there_is_not_missed() {
         let walked = world.first.walk(place, Action::new(walks[step % 5], posture));
         let action = Action::new(walks[step % 5], posture).pressing(Presses::one(0));
         let known = !world.first.worked(&walked, action).presses.is_none();
-        let stance = Stance {
+        let stance = PersonState {
             who: Who::First,
             place: walked.start,
             posture,

@@ -7,9 +7,9 @@ use crate::common::anywhere::look_with;
 use crate::common::write;
 use crate::restarts::{UNTIL_S, WATCHES, cell, folder};
 use crate::sample;
-use fmi_hazard::record::anywhere::Anywhere;
 use fmi_hazard::record::model::Verdict;
-use fmi_hazard::scan::anywhere::Told;
+use fmi_hazard::record::reachability::ReachabilityResult;
+use fmi_hazard::scan::reachability::AnalysisEvent;
 use fmi_hazard::sim::answers::Answers;
 
 #[test]
@@ -21,8 +21,8 @@ fn floor_that_was_not_looked_at_is_told_and_never_clean() {
         for latched_by in ["nobody", "PLC"] {
             let path = write(dir.path(), "cell.toml", &cell(watches, latched_by));
             let ended = |at: f64| {
-                let mut tell = |told: Told| match told {
-                    Told::Floor(share, _) if share >= at => ControlFlow::Break(()),
+                let mut tell = |told: AnalysisEvent| match told {
+                    AnalysisEvent::Floor(share, _) if share >= at => ControlFlow::Break(()),
                     _ => ControlFlow::Continue(()),
                 };
                 look_with((&path, UNTIL_S, 2), &Answers::default(), &mut tell).found
@@ -37,7 +37,7 @@ fn floor_that_was_not_looked_at_is_told_and_never_clean() {
 }
 
 /// Where somebody is hit, or it is not known, in the whole, the search that ended says so, or that it did not look there.
-fn is_told(ended: &Anywhere, whole: &Anywhere) {
+fn is_told(ended: &ReachabilityResult, whole: &ReachabilityResult) {
     assert!(!ended.verdict.is_clean() && ended.not_looked_at > 0, "{:?}", ended.verdict);
     assert!(ended.verdict == Verdict::HazardsFound || !ended.reasons.is_empty());
     assert!(ended.reasons.iter().all(|reason| !reason.contains("no robot moved")), "{:?}", ended.reasons);

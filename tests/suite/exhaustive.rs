@@ -21,7 +21,7 @@ use fmi_hazard::search::{End, Environment as _, Rng};
 use fmi_hazard::sequences::Merge;
 use fmi_hazard::sim::robot::RobotFrame;
 use fmi_hazard::sim::sensors::DelayLine;
-use fmi_hazard::sim::world::{Earlier, Frames, HadTold, Hit, Instant, Stance, Window};
+use fmi_hazard::sim::world::{Frames, Hit, IfSignalled, Instant, PersonState, SignalledRuns, Window};
 use fmi_hazard::sim::{Coverage, World};
 
 /// A cell of the examples, started elsewhere, with other search settings.
@@ -38,11 +38,11 @@ fn cell(dir: &Path, path: &str, start: &str, search: &str) -> Prepared {
 /// The cells looked at here have no light curtain.
 pub struct NoCurtain;
 
-impl Earlier for NoCurtain {
+impl SignalledRuns for NoCurtain {
     type Error = Infallible;
 
-    fn told_of(&mut self, _: &[Window]) -> Result<HadTold<Frames>, Infallible> {
-        Ok(HadTold::BeforeTime)
+    fn told_of(&mut self, _: &[Window]) -> Result<IfSignalled<Frames>, Infallible> {
+        Ok(IfSignalled::BeforeTime)
     }
 }
 
@@ -55,7 +55,7 @@ struct Enumeration<'a> {
     horizon: u32,
     found: Unsafe,
     harmless: u128,
-    answers: BTreeMap<(Stance, Vec<u64>), Option<Hit>>,
+    answers: BTreeMap<(PersonState, Vec<u64>), Option<Hit>>,
 }
 
 impl<'a> Enumeration<'a> {

@@ -6,12 +6,12 @@ use std::ops::ControlFlow;
 
 use fmi_hazard::search::Rng;
 use fmi_hazard::search::behaviours::answers::answered_alike;
-use fmi_hazard::search::behaviours::decided::{Question, Why, decide};
+use fmi_hazard::search::behaviours::decided::{DecisionLimits, Why, decide};
 use fmi_hazard::search::behaviours::walks::{Style, Walked, walk};
-use fmi_hazard::search::behaviours::{AllHeld, Begins, Held, Hold, Machine, Shown};
+use fmi_hazard::search::behaviours::{AllHeld, Begins, Held, Hold, Machine, OutputClass};
 
 /// Eight seconds in steps of 20 ms.
-const QUESTION: Question = Question { step_s: 0.02, steps: 400, most: 25_000, times_held: 1 };
+const QUESTION: DecisionLimits = DecisionLimits { step_s: 0.02, steps: 400, most: 25_000, times_held: 1 };
 const SECOND: i64 = 50;
 const DAY: i64 = 24 * 3600 * SECOND;
 
@@ -110,8 +110,8 @@ impl Drive {
 }
 
 /// Where it is, how fast, and what else it shows.
-fn shown(state: &State) -> Shown {
-    Shown::try_from((state.at * (FULL + 1) + state.speed) * 16 + state.mind.shown).unwrap()
+fn shown(state: &State) -> OutputClass {
+    OutputClass::try_from((state.at * (FULL + 1) + state.speed) * 16 + state.mind.shown).unwrap()
 }
 
 impl Machine for Drive {
@@ -130,17 +130,17 @@ impl Machine for Drive {
         self.given(reading).0
     }
 
-    fn alike(&self, one: Shown, other: Shown) -> bool {
+    fn alike(&self, one: OutputClass, other: OutputClass) -> bool {
         one == other
     }
 
-    fn switches(&self, one: Shown, among: [Shown; 3]) -> bool {
-        let full = Shown::try_from(FULL + 1).unwrap();
-        let columns = |shown: Shown| [shown / 16 / full, shown / 16 % full, shown % 16];
+    fn switches(&self, one: OutputClass, among: [OutputClass; 3]) -> bool {
+        let full = OutputClass::try_from(FULL + 1).unwrap();
+        let columns = |shown: OutputClass| [shown / 16 / full, shown / 16 % full, shown % 16];
         (0..3).all(|column| among.iter().any(|its| columns(*its)[column] == columns(one)[column]))
     }
 
-    fn begin(&mut self) -> Result<(State, Shown), Infallible> {
+    fn begin(&mut self) -> Result<(State, OutputClass), Infallible> {
         let state = State { at: 0, speed: FULL, told_for: 0, reading: 0, since: 0, step: 0, mind: Mind::default() };
         let shown = shown(&state);
         Ok((state, shown))
@@ -158,7 +158,7 @@ impl Machine for Drive {
                 Self::after(self.remember, &mut state, given);
                 shown(&state)
             });
-            let mut all: Vec<Shown> = all.collect();
+            let mut all: Vec<OutputClass> = all.collect();
             all.drain(..if *last { all.len() - 1 } else { 0 });
             ended.push((all, state));
         }

@@ -11,7 +11,7 @@ use fmi_hazard::record::hazard::Hazard;
 use fmi_hazard::record::recorded::Recorded;
 use fmi_hazard::report::page::Replay;
 use fmi_hazard::scan::prepare::prepare;
-use fmi_hazard::scan::{StateChoice, film};
+use fmi_hazard::scan::{StateChoice, replay};
 use fmi_hazard::standards::BodyRegion;
 
 /// The arms of a replay are those of the collision model, and what is hit touches the robot when it is hit.
@@ -87,10 +87,10 @@ fn the_robot_is_where_the_contact_is() {
         let prepared = prepare(&path, None).unwrap();
         let mut simulation = prepared.simulation(StateChoice::Auto, false).unwrap();
         for hazard in &hazards {
-            let watched = film::watch(&mut simulation, &prepared, hazard).unwrap();
-            let contact = film::contact_frame(&prepared, hazard, &watched);
+            let watched = replay::watch(&mut simulation, &prepared, hazard).unwrap();
+            let contact = replay::contact_frame(&prepared, hazard, &watched);
             let instant = &watched.instants[contact];
-            touches_as_drawn(hazard, contact, &film::replay(&prepared, hazard, &watched, String::new()));
+            touches_as_drawn(hazard, contact, &replay::record(&prepared, hazard, &watched, String::new()));
             let point = Vec3::from_array(hazard.contact_point_m);
             let links = prepared.cell.links.iter().enumerate().filter(|(_, link)| link.name == hazard.robot_link);
             let at = links.map(|(link, _)| (instant.frame.links[link].point_distance(point).distance.abs(), link));

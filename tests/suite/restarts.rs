@@ -8,11 +8,11 @@ use std::ops::ControlFlow;
 use crate::common::{test_fmus, write};
 use crate::sample;
 use fmi_hazard::obligations::{Need, Standing};
-use fmi_hazard::record::anywhere::Anywhere;
 use fmi_hazard::record::model::Verdict;
+use fmi_hazard::record::reachability::ReachabilityResult;
 use fmi_hazard::scan::StateChoice;
-use fmi_hazard::scan::anywhere::{Effort, Until, anywhere};
 use fmi_hazard::scan::prepare::prepare;
+use fmi_hazard::scan::reachability::{AnalysisLimits, Until, analyse};
 use fmi_hazard::sim::answers::Answers;
 use tempfile::TempDir;
 
@@ -54,16 +54,16 @@ pub fn folder(fmu: &str) -> TempDir {
     dir
 }
 
-pub fn look(dir: &TempDir, text: &str, most_states: usize) -> Anywhere {
+pub fn look(dir: &TempDir, text: &str, most_states: usize) -> ReachabilityResult {
     look_with(dir, text, most_states, StateChoice::Auto)
 }
 
-fn look_with(dir: &TempDir, text: &str, most_states: usize, state: StateChoice) -> Anywhere {
+fn look_with(dir: &TempDir, text: &str, most_states: usize, state: StateChoice) -> ReachabilityResult {
     let path = write(dir.path(), "cell.toml", text);
     let answers = Answers::default();
     let until = Until::Seconds(UNTIL_S);
-    let effort = Effort { until, workers: 2, most_states, presses: 1, state, answers: &answers };
-    anywhere(&prepare(&path, None).unwrap(), effort, &mut |_| ControlFlow::Continue(())).unwrap().found
+    let effort = AnalysisLimits { until, workers: 2, most_states, presses: 1, state, answers: &answers };
+    analyse(&prepare(&path, None).unwrap(), effort, &mut |_| ControlFlow::Continue(())).unwrap().found
 }
 
 #[test]

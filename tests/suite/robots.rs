@@ -5,10 +5,10 @@ use std::path::Path;
 
 use crate::common::archives::with_xml;
 use crate::common::{assert_same_hazards, examples, faulty_cell, fmi_hazard, scan_json, write};
+use fmi_hazard::cell::appearance;
 use fmi_hazard::cell::binding::MotionBinding;
 use fmi_hazard::cell::error::Source;
 use fmi_hazard::cell::file::validate::validate;
-use fmi_hazard::cell::looks;
 use fmi_hazard::cell::workcell::Workcell;
 use fmi_hazard::geometry::{Pose, Rotation, Solid, Vec3};
 use fmi_hazard::scan::prepare::prepare;
@@ -432,12 +432,13 @@ fn what_a_robot_looks_like_turns_with_its_shape() {
     );
     write(dir.path(), "g.urdf", &urdf);
     write(dir.path(), "hand.obj", "v 100 0 0\nv 0 100 0\nv 0 0 100\nf 1 2 3\n");
-    let corners: String = (0..=looks::MOST_TRIANGLES).map(|n| format!("v {n} 0 1\nv {n} 1 0\nv {n} 2 2\n")).collect();
+    let corners: String =
+        (0..=appearance::MOST_TRIANGLES).map(|n| format!("v {n} 0 1\nv {n} 1 0\nv {n} 2 2\n")).collect();
     let faces: String =
-        (0..=looks::MOST_TRIANGLES).map(|n| format!("f {} {} {}\n", 3 * n + 1, 3 * n + 2, 3 * n + 3)).collect();
+        (0..=appearance::MOST_TRIANGLES).map(|n| format!("f {} {} {}\n", 3 * n + 1, 3 * n + 2, 3 * n + 3)).collect();
     write(dir.path(), "many.obj", &(corners + &faces));
     let cell = cell_of(dir.path(), "g.urdf", &["turn"], "");
-    let found = looks::meshes(&cell);
+    let found = appearance::meshes(&cell);
     let [(0, mesh)] = found.as_slice() else { panic!("one can be read and is small: {}", found.len()) };
     // Nothing depends on them.
     assert!(

@@ -4,7 +4,7 @@
 use crate::common::{examples, fmi_hazard, scan_json};
 use crate::sample;
 use fmi_hazard::scan::{StateChoice, prepare::prepare};
-use fmi_hazard::search::{Environment as _, Imagine as _, Rng};
+use fmi_hazard::search::{Environment as _, Rng, SurrogateModel as _};
 
 const CELL: &str = "safety-fence/cell.toml";
 

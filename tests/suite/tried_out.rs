@@ -8,10 +8,10 @@ use crate::common::guarded::guarded;
 use crate::common::{test_fmus, write};
 use crate::sample;
 use fmi_hazard::obligations::{Need, Standing};
-use fmi_hazard::record::anywhere::Anywhere;
+use fmi_hazard::record::reachability::ReachabilityResult;
 use fmi_hazard::scan::StateChoice;
-use fmi_hazard::scan::anywhere::{Effort, Until, anywhere};
 use fmi_hazard::scan::prepare::prepare;
+use fmi_hazard::scan::reachability::{AnalysisLimits, Until, analyse};
 use fmi_hazard::sim::answers::Answers;
 
 /// The folder of the bar's FMU, and of that of FMI 3 by the same name: one of them, or both where all cases are looked at.
@@ -22,7 +22,7 @@ fn both() -> impl Iterator<Item = tempfile::TempDir> {
 }
 
 /// What is open of one need, in words.
-fn open(found: &Anywhere, need: Need) -> Vec<String> {
+fn open(found: &ReachabilityResult, need: Need) -> Vec<String> {
     let all = found.obligations.open().filter(|one| one.need == need);
     all.map(|one| match &one.standing {
         Standing::Open { why, .. } => why.clone(),
@@ -77,7 +77,7 @@ fn a_sensor_inside_the_fmu_that_sees_otherwise_later_is_told() {
 }
 
 /// The lines that accept what can be, with a name and a reason.
-fn signed(found: &Anywhere) -> String {
+fn signed(found: &ReachabilityResult) -> String {
     let lines = found.obligations.lines_to_accept().expect("something can be accepted");
     lines.replace("by = \"\"", "by = \"A. B.\"").replace("because = \"\"", "because = \"drawing 17\"")
 }
@@ -129,8 +129,9 @@ fn the_same_is_tried_however_states_are_brought_back() {
         let [saved, replayed] = [StateChoice::Auto, StateChoice::Replay].map(|state| {
             let (prepared, answers) = (prepare(&path, None).unwrap(), Answers::default());
             let until = Until::Seconds(until_s);
-            let effort = Effort { until, workers: 2, most_states: 100_000, presses: 1, state, answers: &answers };
-            let found = anywhere(&prepared, effort, &mut |_| ControlFlow::Continue(())).unwrap().found;
+            let effort =
+                AnalysisLimits { until, workers: 2, most_states: 100_000, presses: 1, state, answers: &answers };
+            let found = analyse(&prepared, effort, &mut |_| ControlFlow::Continue(())).unwrap().found;
             (found.obligations.reasons(), found.spent.fmu_steps)
         });
         assert_eq!(saved, replayed);

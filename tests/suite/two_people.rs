@@ -15,7 +15,7 @@ use fmi_hazard::human::{Action, Place, Posture, Presses, Repertoire, Walk, Who};
 use fmi_hazard::scan::{Prepared, StateChoice, prepare::prepare};
 use fmi_hazard::sim::robot::RobotFrame;
 use fmi_hazard::sim::sensors::DelayLine;
-use fmi_hazard::sim::world::{Frames, Hit, Instant, Sensed, Stance};
+use fmi_hazard::sim::world::{Frames, Hit, InputTrace, Instant, PersonState};
 use fmi_hazard::sim::{Coverage, World};
 
 /// What is remembered of one of them: where they are, what is on its way to the FMU of them alone, and what they switched.
@@ -38,7 +38,7 @@ struct Enumeration<'a> {
     found: Unsafe,
     both_at_once: u32,
     harmless: u128,
-    answers: BTreeMap<(usize, Stance, Vec<u64>), Option<Hit>>,
+    answers: BTreeMap<(usize, PersonState, Vec<u64>), Option<Hit>>,
 }
 
 impl<'a> Enumeration<'a> {
@@ -69,7 +69,7 @@ impl<'a> Enumeration<'a> {
     }
 
     /// What the FMU is told of both.
-    fn told(&self, [a, b]: [&Sensed; 2]) -> Vec<f64> {
+    fn told(&self, [a, b]: [&InputTrace; 2]) -> Vec<f64> {
         let width = a.inputs.len() / a.readings.len();
         let either = |(number, (a, b)): (usize, (&f64, &f64))| {
             let rest = self.rest.get(number % width);

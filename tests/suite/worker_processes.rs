@@ -9,7 +9,7 @@ use crate::common::hostile::Hostile;
 use crate::common::{examples, fmi_hazard, json};
 use crate::sample;
 use fmi_hazard::fmi::Fmu;
-use fmi_hazard::host::isolation::{Guard, Isolated, Keeping, Launcher, Limits, Unpacked};
+use fmi_hazard::host::isolation::{Guard, Isolated, Launcher, Limits, Unpacked, WorkerRestore};
 use fmi_hazard::host::port::Port;
 use fmi_hazard::host::{Plant as _, SystemSetup, UnitPort};
 
@@ -113,7 +113,7 @@ fn an_exhaustive_search_gives_the_same_certificate_on_every_rung() {
 }
 
 /// A plant of the FMU at `path` with all that the tests need of it.
-fn plant(path: &Path, keeping: Keeping, limits: Limits) -> (Fmu, Isolated) {
+fn plant(path: &Path, keeping: WorkerRestore, limits: Limits) -> (Fmu, Isolated) {
     let fmu = Fmu::open(path).unwrap();
     let port = |name: &str| {
         let handle = fmu.description().handle(name).unwrap();
@@ -142,7 +142,7 @@ fn a_hundred_thousand_steps_of_an_fmu_that_leaks_take_bounded_memory() {
     // 20 kB a step: 2 GB without an end.
     let path = Hostile::v2().what("leak").size(20_000).write(dir.path());
     let limits = Limits { growth: 64 << 20, ..Limits::default() };
-    let (_fmu, mut plant) = plant(&path, Keeping::Instances, limits);
+    let (_fmu, mut plant) = plant(&path, WorkerRestore::Instances, limits);
     let (inputs, mut first, mut most, mut workers) = (vec![0.0; 1000], None, 0, BTreeSet::new());
     // A million steps, where all cases are looked at.
     let runs = if sample::is_whole() { 1000 } else { 100 };
@@ -168,7 +168,7 @@ fn signal(name: &str, pid: u32) {
 #[test]
 fn a_parked_state_that_goes_late_is_not_taken_for_another() {
     let dir = tempfile::TempDir::new().unwrap();
-    let (_fmu, mut plant) = plant(&Hostile::v2().write(dir.path()), Keeping::ByFork, Limits::default());
+    let (_fmu, mut plant) = plant(&Hostile::v2().write(dir.path()), WorkerRestore::ByFork, Limits::default());
     plant.restart().unwrap();
     let children = |pid: u32| -> BTreeSet<u32> {
         let list = std::fs::read_to_string(format!("/proc/{pid}/task/{pid}/children")).unwrap();
@@ -197,7 +197,7 @@ fn a_parked_state_that_goes_late_is_not_taken_for_another() {
 fn a_worker_has_its_time() {
     let dir = tempfile::TempDir::new().unwrap();
     let path = Hostile::v2().write(dir.path());
-    let (_fmu, mut plant) = plant(&path, Keeping::ByFmu, Limits { steps: 100, ..Limits::default() });
+    let (_fmu, mut plant) = plant(&path, WorkerRestore::ByFmu, Limits { steps: 100, ..Limits::default() });
     plant.restart().unwrap();
     let at_start = plant.save().unwrap();
     let first = plant.pids();
@@ -226,7 +226,7 @@ fn a_worker_shares_a_processor_with_whoever_asks_it_unless_it_has_threads() {
     let anywhere = processors(std::process::id());
     for (hostile, alone) in [(Hostile::v2(), true), (Hostile::v2().what("thread").at("step", 20), false)] {
         let dir = tempfile::TempDir::new().unwrap();
-        let (_fmu, mut plant) = plant(&hostile.write(dir.path()), Keeping::ByFmu, Limits::default());
+        let (_fmu, mut plant) = plant(&hostile.write(dir.path()), WorkerRestore::ByFmu, Limits::default());
         plant.restart().unwrap();
         let pid = plant.pids().unwrap()[0];
         assert_eq!(processors(pid), anywhere, "it has shown nothing yet");

@@ -9,7 +9,7 @@ use std::collections::BTreeMap;
 
 use sha2::{Digest as _, Sha256};
 
-use super::part::Part;
+use super::part::BodyOrArm;
 use super::place::PLACE_CELL_M;
 
 /// Hazards belong together if neither where people stand nor where they are hit is farther apart than this, m. Before a fence
@@ -29,7 +29,7 @@ pub struct Kind {
     /// Name of the robot.
     pub robot: String,
     /// What is hit.
-    pub part: Part,
+    pub part: BodyOrArm,
     /// Names of the sensors that report the person at the contact.
     pub reporting: Vec<String>,
     /// Whether one of them has done so for longer than [`LONG_S`]: then the robot is not too late, it does not heed it.
@@ -156,7 +156,7 @@ mod tests {
     use super::*;
 
     /// Hit where they stand.
-    fn member(part: Part, reporting: &[&str], person_m: [f64; 2]) -> Member {
+    fn member(part: BodyOrArm, reporting: &[&str], person_m: [f64; 2]) -> Member {
         let reporting = reporting.iter().map(|&name| name.to_owned()).collect();
         Member {
             kind: Kind { robot: "r".to_owned(), part, reporting, long: false, criterion: None, worked: Vec::new() },
@@ -168,10 +168,10 @@ mod tests {
     #[test]
     fn what_is_seen_and_what_is_hit_tell_causes_apart() {
         let all = [
-            member(Part::Arm, &["mat"], [0.0, 0.0]),
-            member(Part::Arm, &[], [0.0, 0.0]),
-            member(Part::Arm, &["mat"], [0.5, 0.0]),
-            member(Part::Body, &[], [0.0, 0.0]),
+            member(BodyOrArm::Arm, &["mat"], [0.0, 0.0]),
+            member(BodyOrArm::Arm, &[], [0.0, 0.0]),
+            member(BodyOrArm::Arm, &["mat"], [0.5, 0.0]),
+            member(BodyOrArm::Body, &[], [0.0, 0.0]),
         ];
         let long = |mut member: Member| {
             member.kind.long = true;
@@ -190,7 +190,7 @@ mod tests {
     /// A chain of places hangs together however long it is; a gap of more than a metre parts it.
     #[test]
     fn places_hang_together() {
-        let at = |x: f64| member(Part::Arm, &[], [x, 0.0]);
+        let at = |x: f64| member(BodyOrArm::Arm, &[], [x, 0.0]);
         let chain: Vec<Member> = (0..9).map(|i| at(f64::from(i) * 0.9)).collect();
         assert_eq!(causes(&chain).len(), 1);
         let two = [at(0.0), at(3.0), at(0.9), at(3.5)];
@@ -205,7 +205,7 @@ mod tests {
     /// The id of a cause rests on what it is, not on which of its hazards a search met.
     #[test]
     fn ids_do_not_depend_on_the_hazards_that_were_met() {
-        let at = |x: f64| member(Part::Body, &["scanner"], [x, 1.0]);
+        let at = |x: f64| member(BodyOrArm::Body, &["scanner"], [x, 1.0]);
         let few = causes(&[at(0.1)]);
         let many = causes(&[at(0.6), at(0.1), at(-0.3)]);
         assert_eq!(few[0].id, many[0].id);
@@ -217,7 +217,7 @@ mod tests {
 
     #[test]
     fn two_places_in_one_square_have_two_ids() {
-        let at = |x: f64, y: f64| member(Part::Body, &[], [x, y]);
+        let at = |x: f64, y: f64| member(BodyOrArm::Body, &[], [x, y]);
         let found = causes(&[at(-0.9, 0.0), at(0.2, 0.0)]);
         assert_eq!(found.len(), 2);
         assert_eq!(found[1].id, format!("{}-2", found[0].id));

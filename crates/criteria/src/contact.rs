@@ -4,7 +4,7 @@
 use serde::{Deserialize, Serialize};
 
 use super::criterion::{Class, Criterion};
-use super::part::Part;
+use super::part::BodyOrArm;
 use super::strike::{STANDSTILL_M_S, Strike};
 use crate::geometry::{Vec3, coordinates};
 use crate::standards::iso_ts_15066::{Recoil, quasi_static_limit_n, transient_limit_n};
@@ -168,7 +168,7 @@ impl Contact {
         let across = touch.on_body - touch.on_robot;
         let normal = if touch.distance_m < 0.0 { -across } else { across };
         let approach = match normal.try_normalize() {
-            Some(normal) if Part::of(region) == Part::Body => relative.dot(normal).max(0.0),
+            Some(normal) if BodyOrArm::of(region) == BodyOrArm::Body => relative.dot(normal).max(0.0),
             // An arm, or exactly touching: no direction is known, so none is excluded.
             _ => relative.length(),
         };
@@ -244,7 +244,7 @@ impl Contact {
     #[must_use]
     pub fn normal(&self) -> Option<Vec3> {
         let across = (self.on_body - self.on_robot) * if self.distance_m < 0.0 { -1.0 } else { 1.0 };
-        across.try_normalize().filter(|_| Part::of(self.region) == Part::Body)
+        across.try_normalize().filter(|_| BodyOrArm::of(self.region) == BodyOrArm::Body)
     }
 
     /// All criteria that it breaks, the worst first.

@@ -24,7 +24,7 @@ pub use contact::Contact;
 pub use criterion::{Class, Criteria, Criterion};
 pub use finding::Finding;
 pub use group::{Group, Groups, Identity};
-pub use part::Part;
+pub use part::BodyOrArm;
 pub use strike::{STANDSTILL_M_S, Strike};
 
 use fmi_hazard_human::{geometry, human, standards};

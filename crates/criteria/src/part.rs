@@ -7,14 +7,14 @@ use crate::standards::BodyRegion;
     Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, serde::Serialize, serde::Deserialize, schemars::JsonSchema,
 )]
 #[serde(rename_all = "snake_case")]
-pub enum Part {
+pub enum BodyOrArm {
     /// Head, trunk and legs, which are where the person stands.
     Body,
     /// A hand, a lower arm or an upper arm, which reaches.
     Arm,
 }
 
-impl Part {
+impl BodyOrArm {
     /// In words.
     #[must_use]
     pub const fn words(self) -> &'static str {

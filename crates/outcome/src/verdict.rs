@@ -18,7 +18,7 @@ impl Clean {
 
 /// Overall outcome; never a statement of safety.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
-#[serde(from = "Word", into = "Word")]
+#[serde(from = "VerdictName", into = "VerdictName")]
 pub enum Verdict {
     /// At least one hazard.
     HazardsFound,
@@ -36,7 +36,7 @@ pub enum Verdict {
 #[derive(Clone, Copy, Serialize, Deserialize, JsonSchema)]
 #[serde(rename_all = "snake_case")]
 #[schemars(rename = "Verdict")]
-enum Word {
+enum VerdictName {
     /// At least one hazard.
     HazardsFound,
     /// There is none, and everything that this needs is shown or assumed: see the obligations.
@@ -49,7 +49,7 @@ enum Word {
     Interrupted,
 }
 
-impl From<Verdict> for Word {
+impl From<Verdict> for VerdictName {
     fn from(verdict: Verdict) -> Self {
         match verdict {
             Verdict::HazardsFound => Self::HazardsFound,
@@ -61,21 +61,21 @@ impl From<Verdict> for Word {
     }
 }
 
-impl From<Word> for Verdict {
-    fn from(word: Word) -> Self {
+impl From<VerdictName> for Verdict {
+    fn from(word: VerdictName) -> Self {
         match word {
-            Word::HazardsFound => Self::HazardsFound,
-            Word::NoneFound => Self::NoneFound(Clean::earned()),
-            Word::Inconclusive => Self::Inconclusive,
-            Word::FmuFailed => Self::FmuFailed,
-            Word::Interrupted => Self::Interrupted,
+            VerdictName::HazardsFound => Self::HazardsFound,
+            VerdictName::NoneFound => Self::NoneFound(Clean::earned()),
+            VerdictName::Inconclusive => Self::Inconclusive,
+            VerdictName::FmuFailed => Self::FmuFailed,
+            VerdictName::Interrupted => Self::Interrupted,
         }
     }
 }
 
 /// How a search ended.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub struct Ended {
+pub struct SearchEnd {
     /// With hazards.
     pub found: bool,
     /// Because the FMU failed, or without what it could not do.
@@ -87,7 +87,7 @@ pub struct Ended {
 impl Verdict {
     /// Of a search that ended so.
     #[must_use]
-    pub fn of(Ended { found, failed, interrupted }: Ended, obligations: &Obligations) -> Self {
+    pub fn of(SearchEnd { found, failed, interrupted }: SearchEnd, obligations: &Obligations) -> Self {
         match (found, failed, interrupted, obligations.clean()) {
             (true, ..) => Self::HazardsFound,
             (false, true, ..) => Self::FmuFailed,

@@ -7,11 +7,11 @@
 //!
 //! The same holds of whoever stands before a plane that was clear a step ago, and leans through it since.
 
-use super::{Anywhere, History, Seen};
+use super::{History, ReachabilitySearch, ReachableInstant};
 use crate::geometry::{Cuboid, Hull, Solid, Vec3};
 use crate::human::reach::cells::{ArmCells, Target};
 use crate::human::{BendFraction, Floor, PoseBox, Posture, Side};
-use crate::sim::curtain::{Curtain, depth_m};
+use crate::sim::detection_plane::{DetectionPlane, depth_m};
 use crate::standards::iso_13855::WALKING_SPEED_M_S;
 
 /// Steps in which somebody may have leaned through a plane that was clear before.
@@ -31,21 +31,21 @@ pub(super) enum Kept {
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) enum Limit {
     /// It has told of somebody: as deep as an arm gets since.
-    Told(usize),
+    Signalled(usize),
     /// It was clear a step ago.
     Clear(usize),
 }
 
 /// What is known of a plane.
 #[derive(Clone, Debug, Default)]
-pub(super) struct ToldOf {
+pub(super) struct SignalledPeople {
     /// Whether whoever it tells of was before it until then.
     come_before: bool,
     /// The cells of the floor behind it to which people get of whom it has told nothing: another way.
     others: Vec<bool>,
 }
 
-impl ToldOf {
+impl SignalledPeople {
     /// Whether somebody in a box may be one of whom it has told nothing.
     fn may_have_come_another_way(&self, ground: &Floor, at: &PoseBox) -> bool {
         !ground.holds(at.xy_m, at.half_m) || ground.within(at.xy_m, at.half_m).any(|cell| self.others[cell])
@@ -63,21 +63,26 @@ fn everybody_in(ground: &Floor, cell: usize) -> PoseBox {
 }
 
 /// Whether everybody in a box is behind a plane.
-fn is_behind(curtain: &Curtain, at: &PoseBox) -> bool {
+fn is_behind(curtain: &DetectionPlane, at: &PoseBox) -> bool {
     curtain.depth(at.position() + Vec3::Z) > at.place_moves_m()
 }
 
 /// Whether everybody in a box has the hip before a plane, and no way from there to a link round its ends or over its top that is
 /// short enough, `from_hip` being the hip's height and the longest reach from it, m.
-fn gets_there_through_it_only(curtain: &Curtain, (height_m, reach_m): (f64, f64), link: &Solid, at: &PoseBox) -> bool {
+fn gets_there_through_it_only(
+    curtain: &DetectionPlane,
+    (height_m, reach_m): (f64, f64),
+    link: &Solid,
+    at: &PoseBox,
+) -> bool {
     let (hip, reach_m) = at.around(height_m, reach_m);
     curtain.depth(hip) + at.place_moves_m() <= 0.0 && curtain.closed.out_of_reach(hip, reach_m, link)
 }
 
-impl Anywhere<'_> {
+impl ReachabilitySearch<'_> {
     /// What is known of a plane; nothing, where there is no time for it.
-    pub(super) fn tells_of(&self, curtain: &Curtain) -> Option<ToldOf> {
-        let all = ToldOf { come_before: false, others: vec![true; self.ground.cells()] };
+    pub(super) fn tells_of(&self, curtain: &DetectionPlane) -> Option<SignalledPeople> {
+        let all = SignalledPeople { come_before: false, others: vec![true; self.ground.cells()] };
         let Some(solid) = solid(&curtain.unbroken()).filter(|_| !curtain.hands_only) else { return Some(all) };
         let target = Target { solid: &solid, hand: true, forearm: true, upper_arm: true };
         let arms =
@@ -97,7 +102,7 @@ impl Anywhere<'_> {
                 return Some(all);
             }
         }
-        Some(ToldOf { come_before: true, others: behind })
+        Some(SignalledPeople { come_before: true, others: behind })
     }
 
     fn at_height_of_plane(&self, cell: usize) -> Vec3 {
@@ -120,7 +125,7 @@ impl Anywhere<'_> {
     pub(super) fn kept(
         &self,
         history: &History,
-        (seen, link): (&Seen, &Solid),
+        (seen, link): (&ReachableInstant, &Solid),
         at: &PoseBox,
         (shoulder, moves_m): (Vec3, f64),
     ) -> Option<Kept> {
@@ -133,7 +138,7 @@ impl Anywhere<'_> {
             let is_limited = || is_told && depth + moves_m <= 0.0 || self.has_told_of(number, is_told, at);
             let reaches_round = || depth - moves_m <= 0.0 && !curtain.closed.out_of_reach(shoulder, reach, link);
             let limit = if seen.depth_m.is_finite() && is_limited() && !reaches_round() {
-                Limit::Told(number)
+                Limit::Signalled(number)
             } else if depth + moves_m > 0.0 && self.leans_through(curtain, history, link, at) {
                 Limit::Clear(number)
             } else {
@@ -153,20 +158,20 @@ impl Anywhere<'_> {
     /// How deep an arm may be, m, where it may be as deep as that behind planes that have told.
     fn depth_m(&self, limit: Limit, told_m: f64) -> f64 {
         match limit {
-            Limit::Told(_) => told_m,
+            Limit::Signalled(_) => told_m,
             Limit::Clear(_) => depth_m(SINCE_CLEAR, self.cell.step_s, WALKING_SPEED_M_S),
         }
     }
 
     /// What nothing of an arm gets to then.
     pub(super) fn beyond(&self, limit: Limit, told_m: f64) -> Cuboid {
-        let (Limit::Told(number) | Limit::Clear(number)) = limit;
+        let (Limit::Signalled(number) | Limit::Clear(number)) = limit;
         self.curtains[number].beyond(self.depth_m(limit, told_m))
     }
 
     /// Whether whoever is in a box gets to a link behind a plane only through it, which was clear a step ago: they stand before it,
     /// and no way round its ends or over its top is short enough.
-    fn leans_through(&self, curtain: &Curtain, history: &History, link: &Solid, at: &PoseBox) -> bool {
+    fn leans_through(&self, curtain: &DetectionPlane, history: &History, link: &Solid, at: &PoseBox) -> bool {
         let from_hip = self.cell.body.reach_from_hip(self.encounter.arm.reach());
         history.readings[curtain.sensor] == Some(false)
             && !curtain.hands_only
@@ -176,7 +181,7 @@ impl Anywhere<'_> {
     /// Whether a plane has told of whoever is in a box, who was before it until then: it does now, or they are behind it where nobody
     /// gets of whom it has told nothing. Who leans over it may be told by other sensors only.
     fn has_told_of(&self, number: usize, is_told: bool, at: &PoseBox) -> bool {
-        let is_known = |told_of: &ToldOf| {
+        let is_known = |told_of: &SignalledPeople| {
             told_of.come_before
                 && (is_told
                     || (is_behind(&self.curtains[number], at) && !told_of.may_have_come_another_way(&self.ground, at)))
@@ -185,7 +190,12 @@ impl Anywhere<'_> {
     }
 
     /// Whether planes keep the body of whoever is in a box from a link at an instant.
-    pub(super) fn keeps_bodies(&self, history: &History, (seen, link): (&Seen, &Solid), at: &PoseBox) -> bool {
+    pub(super) fn keeps_bodies(
+        &self,
+        history: &History,
+        (seen, link): (&ReachableInstant, &Solid),
+        at: &PoseBox,
+    ) -> bool {
         self.limiting(history, (seen, link), at).any(|(curtain, depth_m)| !curtain.within(depth_m, link))
     }
 
@@ -193,7 +203,7 @@ impl Anywhere<'_> {
     pub(super) fn may_be_at(
         &self,
         history: &History,
-        (seen, link): (&Seen, &Solid),
+        (seen, link): (&ReachableInstant, &Solid),
         at: &PoseBox,
         point: Vec3,
     ) -> bool {
@@ -205,16 +215,16 @@ impl Anywhere<'_> {
     fn limiting<'a>(
         &'a self,
         history: &'a History,
-        (seen, link): (&'a Seen, &'a Solid),
+        (seen, link): (&'a ReachableInstant, &'a Solid),
         at: &'a PoseBox,
-    ) -> impl Iterator<Item = (&'a Curtain, f64)> {
+    ) -> impl Iterator<Item = (&'a DetectionPlane, f64)> {
         self.curtains.iter().enumerate().filter_map(move |(number, curtain)| {
             let has_told = || {
                 history.readings[curtain.sensor] == Some(true)
                     && self.told_of(number).is_some_and(|told_of| told_of.come_before)
             };
             let limit = if seen.depth_m.is_finite() && has_told() {
-                Limit::Told(number)
+                Limit::Signalled(number)
             } else if self.leans_through(curtain, history, link, at) {
                 Limit::Clear(number)
             } else {

@@ -12,10 +12,10 @@ fn uniform(rng: &mut Rng, low: f64, high: f64) -> f64 {
 }
 
 /// A plane 0.8 m wide and 1.2 m high that is turned so, with people before it.
-fn curtain(turned: f64) -> Curtain {
+fn curtain(turned: f64) -> DetectionPlane {
     let rotation = rotation_about(Vec3::Z, turned);
     let plane = Cuboid { centre: Vec3::new(0.0, 0.0, 0.6), half: Vec3::new(0.4, 0.0, 0.6), rotation };
-    Curtain::new(0, &DetectionZone::Plane(plane), rotation * Vec3::new(0.0, -3.0, 0.0), &[]).unwrap()
+    DetectionPlane::new(0, &DetectionZone::Plane(plane), rotation * Vec3::new(0.0, -3.0, 0.0), &[]).unwrap()
 }
 
 /// Somebody in a box, mostly at its edges.
@@ -73,7 +73,7 @@ fn a_box_on_floor_to_which_others_get_holds_people_of_whom_nothing_was_told() {
     let mut others = vec![false; floor.cells()];
     // From 0.6 to 0.7 m along x and from 0.3 to 0.4 m along y.
     others[3 * 10 + 6] = true;
-    let told_of = ToldOf { come_before: true, others };
+    let told_of = SignalledPeople { come_before: true, others };
     for (xy_m, half_m, may) in [
         ([0.65, 0.35], 0.01, true),
         ([0.65, 0.55], 0.16, true),

@@ -2,7 +2,7 @@
 //! to them.
 //!
 //! A press begins at any communication step, and there are so many of them at most, by anybody. The person works what a hand may get
-//! to (`zones` makes a way of that); what anyone may work is worked at any moment, wherever the person is. One that is held is let
+//! to (`reading_regions` makes a transition of that); what anyone may work is worked at any moment, wherever the person is. One that is held is let
 //! go at any moment.
 //!
 //! A hand gets no farther from the shoulder than an arm is long, and the shoulders of somebody who turns in place are on circles: where
@@ -10,7 +10,7 @@
 
 use std::f64::consts::FRAC_1_SQRT_2;
 
-use super::Anywhere;
+use super::ReachabilitySearch;
 use crate::cell::{Control, Workcell};
 use crate::geometry::distance::point_segment;
 use crate::geometry::{Capsule, Vec3};
@@ -93,7 +93,7 @@ fn by(cell: &Workcell, who: ControlledBy) -> impl Iterator<Item = usize> + '_ {
 /// Two hands.
 const MOST_AT_ONCE: u32 = 2;
 
-impl Anywhere<'_> {
+impl ReachabilitySearch<'_> {
     /// Cells of the floor from which the person may work controls, so many at once at most.
     pub(super) fn in_hand(&self, presses: u32) -> Vec<(Presses, Vec<bool>)> {
         let place = |control: usize| Some((control, self.cell.controls[control].place?));

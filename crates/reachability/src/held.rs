@@ -10,17 +10,17 @@ use std::sync::Arc;
 use foldhash::quality::FixedState;
 use indexmap::IndexSet;
 
-use super::on_its_way::{Lines, OnItsWay, Step, Told};
+use super::delayed::{DelayedInputs, DelayedReadings, Lines, Step};
+use super::reading_regions::Readings;
 use super::widths::{Rows, Width, Widths};
-use super::zones::Readings;
 use crate::cell::binding::SensorBinding;
 use crate::cell::{Binding, Sensor, Workcell};
 use crate::host::{self as plant, Arrived, Leg, Plant, PlantError, Reads, for_all_steps};
 use crate::human::Presses;
 use crate::search::behaviours::net::{AllRows, Measured};
-use crate::search::behaviours::{AllHeld, Begins, Hold, Machine, Others, Shown, any};
+use crate::search::behaviours::{AllHeld, Begins, Hold, Machine, Others, OutputClass, any};
 use crate::sim::robot::RobotFrame;
-use crate::sim::sensors::{DelayLine, Seen, input_row};
+use crate::sim::sensors::{DelayLine, SensorTarget, input_row};
 
 /// Outputs no farther apart than this show the same, in the unit of each.
 const ALIKE: f64 = 1e-9;
@@ -31,7 +31,11 @@ const MEASURED: usize = 128;
 
 /// Of each of some readings what the FMU is told, by number: the same where sensors share an input, and are told alike late and for as long.
 #[must_use]
-pub fn told_apart((cell, binding): (&Workcell, &Binding), readings: &[Readings], people: &[Seen]) -> Vec<usize> {
+pub fn distinguished(
+    (cell, binding): (&Workcell, &Binding),
+    readings: &[Readings],
+    people: &[SensorTarget],
+) -> Vec<usize> {
     let sensors = || cell.sensors.iter().zip(&binding.sensors);
     // What is on its way, or latched by the host, is remembered sensor by sensor.
     let remembers = |sensor: &Sensor| (sensor.delay_steps, sensor.latched);
@@ -41,7 +45,7 @@ pub fn told_apart((cell, binding): (&Workcell, &Binding), readings: &[Readings],
     };
     let alone: Vec<bool> = sensors().map(is_alone).collect();
     let mut rows: Vec<Vec<u64>> = Vec::new();
-    let mut of = |(reading, person): (&Readings, &Seen)| {
+    let mut of = |(reading, person): (&Readings, &SensorTarget)| {
         let mut row = Vec::new();
         input_row(cell, binding, reading, person, Presses::NONE, &mut row);
         let own = reading.iter().zip(&alone).map(|(reading, alone)| u64::from(*reading && *alone));
@@ -66,16 +70,16 @@ pub struct HeldReadings<'a, P: Plant> {
     /// Which of these may follow each of them.
     others: Others,
     /// A person of whom each of the readings is reported, as far as the FMU is told of people.
-    people: Vec<Seen>,
-    known: Known,
-    on_its_way: OnItsWay,
+    people: Vec<SensorTarget>,
+    known: ShownOutputs,
+    on_its_way: DelayedReadings,
     /// How far apart outputs are by what robots do, and those that were numbered by that.
     widths: Option<Widths>,
     rows: Rows,
     /// The state at the start.
     start: Option<P::Checkpoint>,
     /// What is shown there.
-    first: Option<Shown>,
+    first: Option<OutputClass>,
     /// Steps that were taken.
     pub taken: u64,
 }
@@ -109,7 +113,7 @@ impl Drop for Came {
 
 /// All that was shown so far.
 #[derive(Default)]
-struct Known {
+struct ShownOutputs {
     /// By its number, outputs as they are rounded, and the number of what is on its way.
     all: IndexSet<Box<[i64]>, FixedState>,
     /// Outputs of the first state that showed it, one after the other.
@@ -122,22 +126,22 @@ struct Known {
     matters: Vec<bool>,
 }
 
-impl Known {
+impl ShownOutputs {
     /// The number of what is shown with these outputs and that on its way.
     #[expect(
         clippy::cast_possible_truncation,
         reason = "what is too large to be rounded so is told apart by the largest number"
     )]
-    fn number(&mut self, outputs: &[f64], lines: i64) -> Shown {
+    fn number(&mut self, outputs: &[f64], lines: i64) -> OutputClass {
         self.wanted.clear();
         let rounded = |(value, matters): (&f64, &bool)| if *matters { (value / ALIKE).round() as i64 } else { 0 };
         self.wanted.extend(outputs.iter().zip(&self.matters).map(rounded));
         self.wanted.push(lines);
         if let Some(known) = self.all.get_index_of(&*self.wanted) {
-            return known as Shown;
+            return known as OutputClass;
         }
         self.outputs.extend(outputs);
-        self.all.insert_full(self.wanted.clone().into()).0 as Shown
+        self.all.insert_full(self.wanted.clone().into()).0 as OutputClass
     }
 
     #[expect(clippy::cast_possible_wrap, reason = "a few hundred")]
@@ -158,11 +162,11 @@ impl<'a, P: Plant> HeldReadings<'a, P> {
         plant: P,
         (cell, binding): (&'a Workcell, &'a Binding),
         (readings, others): (Vec<Vec<Readings>>, Others),
-        people: Vec<Seen>,
+        people: Vec<SensorTarget>,
     ) -> Self {
         let mut matters = binding.matters();
         matters.resize(plant.output_count(), false);
-        let known = Known { matters, ..Known::default() };
+        let known = ShownOutputs { matters, ..ShownOutputs::default() };
         let rows = Rows::default();
         Self {
             plant,
@@ -173,7 +177,7 @@ impl<'a, P: Plant> HeldReadings<'a, P> {
             others,
             people,
             known,
-            on_its_way: OnItsWay::default(),
+            on_its_way: DelayedReadings::default(),
             widths: None,
             rows,
             start: None,
@@ -194,24 +198,24 @@ impl<'a, P: Plant> HeldReadings<'a, P> {
 
     /// The outputs of what is shown.
     #[must_use]
-    pub fn outputs(&self, shown: Shown) -> &[f64] {
+    pub fn outputs(&self, shown: OutputClass) -> &[f64] {
         let columns = self.plant.output_count();
         &self.known.outputs[shown as usize * columns..][..columns]
     }
 
     /// The outputs of what is shown, numbered by what robots do.
     #[must_use]
-    pub fn nearly(&self, shown: Shown) -> &[f64] {
+    pub fn nearly(&self, shown: OutputClass) -> &[f64] {
         &self.rows.row(shown)[..self.plant.output_count()]
     }
 
     /// The same, rounded, with the number of what is on its way.
-    fn rounded(&self, shown: Shown) -> &[i64] {
+    fn rounded(&self, shown: OutputClass) -> &[i64] {
         self.known.all.get_index(shown as usize).map_or(&[], |rounded| rounded)
     }
 
     /// What the FMU is told in some steps of a reading, and what is on its way after each of them.
-    fn told(&mut self, lines: Lines, reading: usize, steps: usize) -> Told {
+    fn told(&mut self, lines: Lines, reading: usize, steps: usize) -> DelayedInputs {
         let (number, own) = self.given(reading);
         let (cell, binding, known) = (self.cell, self.binding, &mut self.known);
         let (readings, person) = (&self.readings[number], &self.people[number]);
@@ -236,7 +240,7 @@ impl<'a, P: Plant> HeldReadings<'a, P> {
     fn legs(
         &mut self,
         holds: &[Hold<'_, State<P::Checkpoint>>],
-        told: &[Told],
+        told: &[DelayedInputs],
     ) -> Result<Vec<Arrived<P::Checkpoint>>, PlantError> {
         let saved: Vec<Option<Ref<'_, P::Checkpoint>>> = holds
             .iter()
@@ -248,8 +252,8 @@ impl<'a, P: Plant> HeldReadings<'a, P> {
         let mut legs = Vec::with_capacity(holds.len());
         for ((hold, told), saved) in holds.iter().zip(told).zip(&saved) {
             let from = match (&hold.from, saved) {
-                (Begins::After(number), _) => plant::Begins::After(*number),
-                (Begins::At(_), Some(saved)) => plant::Begins::At(&**saved),
+                (Begins::After(number), _) => plant::LegStart::After(*number),
+                (Begins::At(_), Some(saved)) => plant::LegStart::At(&**saved),
                 (Begins::At(_), None) => continue,
             };
             let reads = if hold.last { Reads::Last } else { Reads::Each };
@@ -261,7 +265,7 @@ impl<'a, P: Plant> HeldReadings<'a, P> {
 
     /// Outputs after each step of each hold, row-major, what is on its way after each of them, and the state after the last.
     fn each(&mut self, holds: &[Hold<'_, State<P::Checkpoint>>]) -> Result<Option<Each<P::Checkpoint>>, PlantError> {
-        let mut told: Vec<Told> = Vec::with_capacity(holds.len());
+        let mut told: Vec<DelayedInputs> = Vec::with_capacity(holds.len());
         for hold in holds {
             let lines = match hold.from {
                 Begins::At(state) => state.lines,
@@ -306,7 +310,7 @@ impl<'a, P: Plant> HeldReadings<'a, P> {
     fn first_lines(&self) -> Vec<DelayLine> {
         let sensors = self.cell.sensors.iter().zip(&self.readings[0][0]);
         let settled = |(sensor, raw): (&Sensor, &bool)| {
-            DelayLine::settled(*raw, sensor.delay_steps).latching(sensor.latched, *raw).on_its_way()
+            DelayLine::steady(*raw, sensor.delay_steps).latching(sensor.latched, *raw).on_its_way()
         };
         let first: Vec<DelayLine> = sensors.map(settled).collect();
         first.repeat(2)
@@ -386,23 +390,23 @@ impl<P: Plant> Machine for HeldReadings<'_, P> {
         self.given(reading).0
     }
 
-    fn alike(&self, one: Shown, other: Shown) -> bool {
+    fn alike(&self, one: OutputClass, other: OutputClass) -> bool {
         self.rounded(one).last() == self.rounded(other).last() && self.look_alike(one, other)
     }
 
-    fn look_alike(&self, one: Shown, other: Shown) -> bool {
+    fn look_alike(&self, one: OutputClass, other: OutputClass) -> bool {
         let outputs = self.plant.output_count();
         let (one, other) = (self.rounded(one), self.rounded(other));
         one.iter().zip(other).take(outputs).all(|(one, other)| one.abs_diff(*other) <= ROUNDING)
     }
 
-    fn switches(&self, one: Shown, among: [Shown; 3]) -> bool {
+    fn switches(&self, one: OutputClass, among: [OutputClass; 3]) -> bool {
         let mine = self.rounded(one).iter().enumerate();
         let among = among.map(|shown| self.rounded(shown));
         mine.into_iter().all(|(column, mine)| among.iter().any(|its| mine.abs_diff(its[column]) <= ROUNDING))
     }
 
-    fn begin(&mut self) -> Result<(Self::State, Shown), PlantError> {
+    fn begin(&mut self) -> Result<(Self::State, OutputClass), PlantError> {
         let shown = match self.first {
             Some(shown) => {
                 self.at_start()?;
@@ -423,7 +427,7 @@ impl<P: Plant> Machine for HeldReadings<'_, P> {
 
     fn hold_each(&mut self, holds: &[Hold<'_, Self::State>]) -> Result<AllHeld<Self::State>, PlantError> {
         let columns = self.plant.output_count();
-        let number = |(outputs, told): (&[f64], &i64), known: &mut Known| known.number(outputs, *told);
+        let number = |(outputs, told): (&[f64], &i64), known: &mut ShownOutputs| known.number(outputs, *told);
         let Some(all) = self.each(holds)? else { return Ok(None) };
         let all = all.into_iter().map(|(outputs, lines, state)| {
             let rows = outputs.chunks(columns).zip(&lines);
@@ -457,15 +461,15 @@ impl<P: Plant> Measured for HeldReadings<'_, P> {
         self.widths.as_ref().map_or([0.0; 3], |widths| widths.place(traits))
     }
 
-    fn number(&mut self, row: &[f64], traits: &[f32]) -> Shown {
+    fn number(&mut self, row: &[f64], traits: &[f32]) -> OutputClass {
         self.widths.as_ref().map_or(0, |widths| self.rows.number(row, traits, widths))
     }
 
-    fn nearest(&self, traits: &[f32], widths: f32, counts: &dyn Fn(Shown) -> bool) -> Option<(Shown, f32)> {
+    fn nearest(&self, traits: &[f32], widths: f32, counts: &dyn Fn(OutputClass) -> bool) -> Option<(OutputClass, f32)> {
         self.rows.least_beyond(traits, widths, self.widths.as_ref()?, counts)
     }
 
-    fn off(&self, row: &[f64], shown: Shown) -> Option<(f64, [f64; 2])> {
+    fn off(&self, row: &[f64], shown: OutputClass) -> Option<(f64, [f64; 2])> {
         let (columns, widths) = (self.plant.output_count(), self.widths.as_ref()?);
         let frame = |row: &[f64]| RobotFrame::new(self.cell, self.binding, &row[..columns]);
         let stands = frame(self.rows.row(shown));

@@ -8,9 +8,9 @@ use std::collections::BTreeMap;
 use std::collections::btree_map::Entry;
 use std::sync::Arc;
 
+use super::reading_regions::{ReadingRegions, ReadingTransition};
 use super::reduced::{Grown, MayBeOff, Nearly, reduced};
-use super::zones::{Way, Zones};
-use super::{History, Seen, Story};
+use super::{History, ReachableInstant, StateOrigin};
 use crate::cell::{Binding, Workcell};
 use crate::search::behaviours::Number as Behaviour;
 use crate::search::tracks::Lasting;
@@ -22,7 +22,7 @@ use crate::stop::Stop;
 
 /// Robots that are looked at together, with the sensors that they heed.
 #[derive(Clone, Debug)]
-pub struct Part {
+pub struct RobotGroup {
     /// Which sensors.
     pub sensors: Vec<bool>,
     /// Which links.
@@ -39,7 +39,7 @@ pub struct Instant {
     /// For how long that had lasted when it began.
     pub lasting: Lasting,
     /// Where controls are worked, one way in which it came to that.
-    pub story: Arc<Story>,
+    pub story: Arc<StateOrigin>,
     /// The behaviour that the step begins with, where there are few in place of many histories.
     pub came: Option<Behaviour>,
 }
@@ -48,11 +48,11 @@ pub struct Instant {
 pub struct Instants<'a> {
     cell: &'a Workcell,
     binding: &'a Binding,
-    zones: &'a Zones,
+    zones: &'a ReadingRegions,
     /// Which sensors matter, and which links count.
-    part: &'a Part,
+    part: &'a RobotGroup,
     /// What was seen on each way, by the bits of the outputs.
-    seen: Vec<BTreeMap<Bits, Seen>>,
+    seen: Vec<BTreeMap<Bits, ReachableInstant>>,
     /// The same of what is between the instants.
     swept: Vec<BTreeMap<Bits, Swept>>,
     /// The same step by step: the robots at both ends, and whether only the second half counts as they jumped there.
@@ -78,14 +78,14 @@ type Number = u32;
 /// Who may be there in a step.
 struct Step {
     /// In its first half.
-    begins: Seen,
+    begins: ReachableInstant,
     /// In its second half.
-    ends: Seen,
+    ends: ReachableInstant,
 }
 
 /// The robots within half a step of an instant.
 struct Swept {
-    seen: Seen,
+    seen: ReachableInstant,
     /// No point of a link is farther from where it is then, m.
     by_m: Vec<f64>,
 }
@@ -113,7 +113,7 @@ impl Far {
 impl<'a> Instants<'a> {
     /// None yet.
     #[must_use]
-    pub fn new((cell, binding): (&'a Workcell, &'a Binding), zones: &'a Zones, part: &'a Part) -> Self {
+    pub fn new((cell, binding): (&'a Workcell, &'a Binding), zones: &'a ReadingRegions, part: &'a RobotGroup) -> Self {
         Self {
             cell,
             binding,
@@ -213,7 +213,7 @@ impl<'a> Instants<'a> {
     }
 
     /// Who may be there so much of a step into it.
-    fn seen_at(&self, taken: &Instant, frame: &Arc<RobotFrame>, part: f64) -> Seen {
+    fn seen_at(&self, taken: &Instant, frame: &Arc<RobotFrame>, part: f64) -> ReachableInstant {
         let way = &self.zones.ways[taken.way];
         let far = Far::after(taken.lasting, part, self.cell.step_s);
         // Nobody has to come from anywhere to be where nothing was seen; who works a control there is no farther from it.
@@ -222,7 +222,7 @@ impl<'a> Instants<'a> {
             (Some(_), true) => [far.within_m[0], f64::MAX],
             (Some(_), false) => far.within_m,
         };
-        Seen {
+        ReachableInstant {
             step: taken.step,
             lasting: taken.lasting.steps,
             frame: Arc::clone(frame),
@@ -244,7 +244,10 @@ impl<'a> Instants<'a> {
     /// The same of what is between the instants: links as large as what they sweep within half a step.
     #[must_use]
     pub fn histories_between(&self) -> Vec<History> {
-        let grown = |swept: &Swept| Seen { frame: Arc::new(swept.seen.frame.grown(&swept.by_m)), ..swept.seen.clone() };
+        let grown = |swept: &Swept| ReachableInstant {
+            frame: Arc::new(swept.seen.frame.grown(&swept.by_m)),
+            ..swept.seen.clone()
+        };
         let seen = self.swept.iter().map(|swept| swept.values().map(grown).collect());
         self.zones.ways.iter().zip(seen).map(|(way, seen)| self.history(way, seen)).collect()
     }
@@ -253,7 +256,7 @@ impl<'a> Instants<'a> {
     /// most, nearly there. All may be off by so much. Nothing, where there is no time for it.
     #[must_use]
     pub fn reduced(&self, nearly: Nearly, stop: &Stop) -> Option<Vec<(History, History)>> {
-        let of_way = |(way, swept): (&Way, &BTreeMap<Bits, Swept>)| {
+        let of_way = |(way, swept): (&ReadingTransition, &BTreeMap<Bits, Swept>)| {
             let all: Vec<Grown> = swept.values().map(|swept| (swept.seen.clone(), swept.by_m.clone())).collect();
             let (own, wide) = reduced(&all, &self.part.links, (nearly, &self.off), stop)?;
             Some((self.history(way, own), self.history(way, wide)))
@@ -285,7 +288,7 @@ impl<'a> Instants<'a> {
                 continue;
             }
             if *is_jump {
-                all.push(Seen { frame: last, ..ends.clone() });
+                all.push(ReachableInstant { frame: last, ..ends.clone() });
                 continue;
             }
             for number in 0..parts {
@@ -293,9 +296,9 @@ impl<'a> Instants<'a> {
                 if !seen.frame.may_harm_by(&self.part.links, 0.0) {
                     continue;
                 }
-                let part = between::Part { number, of: parts, step_s };
+                let part = between::StepFraction { number, of: parts, step_s };
                 let frame = in_part_of_step(self.cell, self.binding, [&begins.frame, &ends.frame], &part);
-                all.push(Seen { frame: Arc::new(frame), ..seen.clone() });
+                all.push(ReachableInstant { frame: Arc::new(frame), ..seen.clone() });
             }
             if all.len() > MOST_PARTS {
                 return None;
@@ -304,7 +307,7 @@ impl<'a> Instants<'a> {
         Some(self.history(&self.zones.ways[way], all))
     }
 
-    fn history(&self, way: &Way, mut seen: Vec<Seen>) -> History {
+    fn history(&self, way: &ReadingTransition, mut seen: Vec<ReachableInstant>) -> History {
         seen.sort_by_key(|seen| (seen.step, seen.lasting));
         let matter = self.part.sensors.iter().zip(&self.zones.known[way.to]);
         History {
@@ -317,7 +320,7 @@ impl<'a> Instants<'a> {
 }
 
 /// The same robots at an instant that somebody got to in another way.
-fn take_in(known: &mut Seen, seen: &Seen) {
+fn take_in(known: &mut ReachableInstant, seen: &ReachableInstant) {
     for (known, seen) in known.within_m.iter_mut().zip(seen.within_m) {
         *known = known.max(seen);
     }
@@ -349,7 +352,7 @@ mod tests {
     #[test]
     fn of_two_ways_to_an_instant_the_most_of_each_counts() {
         let frame = frame();
-        let seen = |(step, lasting), within_m, depth_m| Seen {
+        let seen = |(step, lasting), within_m, depth_m| ReachableInstant {
             step,
             lasting,
             frame: Arc::clone(&frame),

@@ -2,7 +2,7 @@
 //! them, at any instant of any history of the FMU that this leads to?
 //!
 //! As long as the sensors report the same, the robots do the same, whoever is where. So there are as many histories as there are
-//! histories of readings ([`machine`]), and for each instant of each a set of places ([`zones`]). What remains is a question about sets of
+//! histories of readings ([`machine`]), and for each instant of each a set of places ([`reading_regions`]). What remains is a question about sets of
 //! poses: a [`PoseBox`] of places and headings, for each posture, is settled when no robot of any instant can be met harmfully
 //! from any pose of it, shown by bounds; else its middle is tried, and it is halved. What is neither settled nor hazardous
 //! when the halves are small is *open*, and told.
@@ -16,23 +16,23 @@
 //! speed of what is touched may all be others then.
 
 mod behind;
+mod candidate_poses;
 mod controls;
+mod delayed;
 pub mod held;
+mod history_search;
 pub mod instants;
-mod looks;
+pub mod internal_sensors;
 pub mod machine;
 pub mod of_behaviours;
-mod on_its_way;
 mod outside;
+mod passes;
 mod questions;
+pub mod reading_regions;
 mod readings;
 pub mod reduced;
 mod shoulders;
-pub mod told;
-mod tries;
 pub mod widths;
-mod within;
-pub mod zones;
 
 use std::collections::{BTreeMap, BTreeSet};
 use std::f64::consts::{PI, TAU};
@@ -41,22 +41,22 @@ use std::sync::{Arc, Mutex, OnceLock, PoisonError};
 
 use serde::{Deserialize, Serialize};
 
-use self::behind::ToldOf;
-pub use self::looks::{Histories, InParts, Means};
+use self::behind::SignalledPeople;
+use self::history_search::HistorySearch;
+use self::internal_sensors::{InternalSensorMap, arc};
 use self::outside::Outside;
+pub use self::passes::{Histories, InParts, Means};
 use self::readings::{may_report, may_stay_clear};
-use self::told::{Told, arc};
-use self::within::Within;
 use crate::cell::{Sensor, Workcell};
 use crate::geometry::joined::{joined, joined_two, merged};
 use crate::geometry::{Cuboid, Vec3};
 use crate::hazard::Contact;
 use crate::human::ControlledBy;
 use crate::human::posture::{cut_back, may_be_cut_back};
-use crate::human::{BendFraction, Field, Floor, PlacedBody, PoseBox, Posture, Presses, is_without_room};
+use crate::human::{BendFraction, DistanceField, Floor, PlacedBody, PoseBox, Posture, Presses, is_without_room};
 use crate::search::behaviours::Number;
 use crate::sim::Coverage;
-use crate::sim::curtain::Curtain;
+use crate::sim::detection_plane::DetectionPlane;
 use crate::sim::encounter::{Encounter, Judge};
 use crate::sim::robot::RobotFrame;
 use crate::sim::sensors::{self, sees};
@@ -86,7 +86,7 @@ const AROUND_M: f64 = 0.5;
 
 /// The robots at an instant, and where somebody may be then.
 #[derive(Clone, Debug)]
-pub struct Seen {
+pub struct ReachableInstant {
     /// Communication steps from the start of the FMU to the instant.
     pub step: usize,
     /// For how many of these the readings had lasted when the last one began, 0 for their first sample.
@@ -98,14 +98,14 @@ pub struct Seen {
     /// An arm is no deeper than this behind planes that report it, m.
     pub depth_m: f64,
     /// One way in which it came to that, where controls are worked.
-    pub story: Arc<Story>,
+    pub story: Arc<StateOrigin>,
     /// The behaviour that the last step began with, where there are few in place of many histories.
     pub came: Option<Number>,
 }
 
 /// How it came to a state of the FMU.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
-pub struct Story {
+pub struct StateOrigin {
     /// The communication step that was the first to begin with other readings than at the start.
     pub changed: Option<usize>,
     /// Controls that were worked, and the step that began with that.
@@ -120,9 +120,9 @@ pub struct History {
     /// Which links count.
     pub links: Arc<[bool]>,
     /// How far it is to places from where somebody was when these readings began, and from where they were never seen.
-    pub fields: [Arc<Field>; 2],
+    pub fields: [Arc<DistanceField>; 2],
     /// Instants at which the robots may harm anybody.
-    pub seen: Vec<Seen>,
+    pub seen: Vec<ReachableInstant>,
 }
 
 impl History {
@@ -170,7 +170,7 @@ pub struct Moment {
 
 /// What came out for one history and what is between its instants.
 #[derive(Clone, Debug, Default, Serialize, Deserialize)]
-pub struct Outcome {
+pub struct HistoryOutcome {
     /// Poses in which somebody is harmed: at least one in each cell of the floor in which there is any, but where it is open.
     pub harms: Vec<Harm>,
     /// Middles of the cells of the floor in which some boxes are neither settled nor hazardous, floor plan, m.
@@ -187,7 +187,7 @@ pub struct Outcome {
     pub stopped: bool,
 }
 
-impl Outcome {
+impl HistoryOutcome {
     /// Whether nobody is harmed there at all.
     const fn is_settled(&self) -> bool {
         !self.stopped && self.harms.is_empty() && self.open.is_empty()
@@ -230,24 +230,24 @@ fn with_origin((low_m, high_m): ([f64; 2], [f64; 2])) -> ([f64; 2], [f64; 2]) {
 
 /// Everything that stays the same over the search.
 #[derive(Debug)]
-pub struct Anywhere<'a> {
+pub struct ReachabilitySearch<'a> {
     cell: &'a Workcell,
     encounter: Encounter,
-    curtains: Vec<Curtain>,
+    curtains: Vec<DetectionPlane>,
     /// Where somebody has room, joined to the outside.
     ground: Floor,
     /// What sensors inside the FMU report there, where it is told where people are.
-    told: Option<Told>,
+    told: Option<InternalSensorMap>,
     /// The cells of it that are joined to the outside by others in which no sensor that keeps people out certainly sees them.
     unseen: Vec<bool>,
     /// What is known of each plane: worked out when it is asked for.
-    told_of: OnceLock<Vec<ToldOf>>,
+    told_of: OnceLock<Vec<SignalledPeople>>,
     /// Held by who works that out.
     asking: Mutex<()>,
     /// By which sensors matter, where people get to by the rules of a scan from the start: worked out when it is asked for.
     outside: Mutex<BTreeMap<Vec<bool>, Arc<Outside>>>,
     /// What the sensors may report in each cell of the floor: worked out when it is asked for.
-    by_cell: OnceLock<Vec<BTreeSet<zones::Readings>>>,
+    by_cell: OnceLock<Vec<BTreeSet<reading_regions::Readings>>>,
     /// How far somebody walks in a communication step, m.
     step_m: f64,
     /// No point of an arm is farther from the point 1 m above the place, m; and none of the rest of the body.
@@ -257,7 +257,7 @@ pub struct Anywhere<'a> {
 
 /// Whether sensors can report something of somebody.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub enum Somewhere {
+pub enum MayReport {
     /// Of somebody there, who looks there: floor plan, m, and rad.
     At([f64; 2], f64),
     /// Of nobody.
@@ -266,7 +266,7 @@ pub enum Somewhere {
     Unknown,
 }
 
-impl<'a> Anywhere<'a> {
+impl<'a> ReachabilitySearch<'a> {
     /// For a cell whose robots are never farther from each other, and from the places that matter, than `frames` show; where others are, nothing is left out.
     /// The floor goes on for `around_m` more. Nothing, where there is no time for it.
     #[must_use]
@@ -324,7 +324,7 @@ impl<'a> Anywhere<'a> {
         }
         let bounds = with_origin(bounds);
         let from = starts.first().map_or(Vec3::ZERO, |[x, y]| Vec3::new(*x, *y, 0.0));
-        let curtains = Curtain::all(cell, from, &obstacles);
+        let curtains = DetectionPlane::all(cell, from, &obstacles);
         let encounter = Encounter {
             number: 0,
             obstacles,
@@ -360,7 +360,7 @@ impl<'a> Anywhere<'a> {
 
     /// The same with what sensors inside the FMU report of people.
     #[must_use]
-    pub fn with(mut self, told: Told) -> Option<Self> {
+    pub fn with(mut self, told: InternalSensorMap) -> Option<Self> {
         self.told = Some(told);
         self.outside = Mutex::default();
         (self.by_cell, self.told_of) = (OnceLock::new(), OnceLock::new());
@@ -390,7 +390,7 @@ impl<'a> Anywhere<'a> {
     }
 
     /// What is known of a plane; nothing, where there is no time for it.
-    fn told_of(&self, plane: usize) -> Option<&ToldOf> {
+    fn told_of(&self, plane: usize) -> Option<&SignalledPeople> {
         if self.told_of.get().is_none() {
             let _alone = self.asking.lock().unwrap_or_else(PoisonError::into_inner);
             if self.told_of.get().is_none() {
@@ -413,13 +413,13 @@ impl<'a> Anywhere<'a> {
         let sensors = self.cell.sensors.iter().enumerate();
         let sensors: Vec<_> =
             sensors.filter(|(n, sensor)| counts(*n) && sensor.zone.keeps_out()).map(|(_, sensor)| sensor).collect();
-        (0..).zip(headings(told::ARCS)).any(|(arc, (heading_rad, half_rad))| {
+        (0..).zip(headings(internal_sensors::ARCS)).any(|(arc, (heading_rad, half_rad))| {
             let at =
                 PoseBox { xy_m: self.ground.middle(cell), half_m: 0.5 * self.ground.cell_m(), heading_rad, half_rad };
             // Who bends may pass below a plane, or above; legs and hips do not bend.
             let body = self.placed(&at, Posture::Upright, BendFraction::FULL);
             let clear = |kind: &[bool]| kind.iter().enumerate().all(|(sensor, told)| !told || !counts(sensor));
-            let is_clear = |told: &Told| told.kinds(cell, arc).any(clear);
+            let is_clear = |told: &InternalSensorMap| told.kinds(cell, arc).any(clear);
             sensors.iter().all(|sensor| may_stay_clear(sensor, &self.cell.body, &body, &at))
                 && self.told.as_ref().is_none_or(is_clear)
         })
@@ -454,6 +454,12 @@ impl<'a> Anywhere<'a> {
         (&self.ground, self.unseen.clone(), watched.collect())
     }
 
+    /// Whether it has to end: to be asked wherever many places are looked at.
+    #[must_use]
+    pub fn is_due(&self) -> bool {
+        self.encounter.stop.is_due()
+    }
+
     /// Whether somebody can stand there.
     #[must_use]
     pub fn has_room(&self, xy_m: [f64; 2]) -> bool {
@@ -470,12 +476,12 @@ impl<'a> Anywhere<'a> {
 
     /// What the sensors report of somebody there, without arms.
     #[must_use]
-    pub fn reports(&self, xy_m: [f64; 2], heading_rad: f64, posture: Posture) -> zones::Readings {
+    pub fn reports(&self, xy_m: [f64; 2], heading_rad: f64, posture: Posture) -> reading_regions::Readings {
         let position = PoseBox::point(xy_m, heading_rad).position();
         let bend = cut_back(&self.cell.body, position, heading_rad, posture, &self.encounter.obstacles);
         let body = Some(self.placed(&PoseBox::point(xy_m, heading_rad), posture, bend));
         let feet = self.cell.body.feet(position, heading_rad);
-        let seen = sensors::Seen { feet, besides: None, body, position, heading_rad };
+        let seen = sensors::SensorTarget { feet, besides: None, body, position, heading_rad };
         self.cell.sensors.iter().map(|sensor| sees(sensor, &seen)).collect()
     }
 
@@ -491,7 +497,7 @@ impl<'a> Anywhere<'a> {
         let reads = |posture: Posture| {
             let bend = cut_back(&self.cell.body, position, heading_rad, posture, &self.encounter.obstacles);
             let body = Some(self.placed(&at, posture, bend));
-            let seen = sensors::Seen {
+            let seen = sensors::SensorTarget {
                 feet: self.cell.body.feet(position, heading_rad),
                 besides: None,
                 body,
@@ -532,7 +538,7 @@ impl<'a> Anywhere<'a> {
 
     /// Whether there is a pose, upright, in which the sensors report these readings.
     #[must_use]
-    pub fn somewhere(&self, readings: &[bool]) -> Somewhere {
+    pub fn somewhere(&self, readings: &[bool]) -> MayReport {
         let cells = (0..self.ground.cells()).filter(|cell| self.unseen[*cell]);
         let first = |cell| PoseBox {
             xy_m: self.ground.middle(cell),
@@ -557,7 +563,7 @@ impl<'a> Anywhere<'a> {
             }
             let is_possible = self.is_possible(at.xy_m, at.heading_rad, Posture::Upright, &known(readings));
             if is_possible && !in_a_leaf(&at) {
-                return Somewhere::At(at.xy_m, at.heading_rad);
+                return MayReport::At(at.xy_m, at.heading_rad);
             }
             if is_smallest(&at) {
                 is_known = false;
@@ -565,7 +571,7 @@ impl<'a> Anywhere<'a> {
                 pending.extend(at.parts(LEVER_M));
             }
         }
-        if is_known { Somewhere::Nowhere } else { Somewhere::Unknown }
+        if is_known { MayReport::Nowhere } else { MayReport::Unknown }
     }
 
     /// Of which of some boxes, each in a posture, it is shown without halving them that nobody is harmed in a history: what a search
@@ -573,15 +579,15 @@ impl<'a> Anywhere<'a> {
     #[must_use]
     pub fn settles(&self, history: &History, boxes: &[(PoseBox, Posture)], coverage: &mut Coverage) -> Vec<bool> {
         let end = AtomicBool::new(false);
-        let within = Within::new(self, history, &end);
+        let within = HistorySearch::new(self, history, &end);
         boxes.iter().map(|(at, posture)| within.settles(at, *posture, coverage)).collect()
     }
 
     /// What else than obstacles nobody's arm passes: planes while their sensors are clear, and what they are together with what they
     /// adjoin.
     fn walls(&self, history: &History) -> Vec<Cuboid> {
-        let is_clear = |c: &&Curtain| history.readings[c.sensor] == Some(false);
-        let planes = self.curtains.iter().filter(is_clear).map(Curtain::unbroken);
+        let is_clear = |c: &&DetectionPlane| history.readings[c.sensor] == Some(false);
+        let planes = self.curtains.iter().filter(is_clear).map(DetectionPlane::unbroken);
         let planes: Vec<Cuboid> = planes.collect();
         let with =
             |plane: &Cuboid| self.encounter.obstacles.iter().filter_map(|o| joined_two(plane, o)).collect::<Vec<_>>();

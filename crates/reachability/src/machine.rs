@@ -4,13 +4,13 @@
 use std::collections::BTreeMap;
 use std::sync::Arc;
 
-use super::Story;
+use super::StateOrigin;
 use super::controls::Controls;
-use super::instants::{Instant, Instants, Part};
-use super::zones::Zones;
+use super::instants::{Instant, Instants, RobotGroup};
+use super::reading_regions::ReadingRegions;
 use crate::cell::{Binding, Workcell};
 use crate::host::{Advanced, NodeId, Plant, PlantError, Recall};
-use crate::search::tracks::{Taken, Watch};
+use crate::search::tracks::{PossibleStep, Watch};
 use crate::sim::sensors::{self, DelayLine, input_row};
 
 /// A state of the FMU, what is on its way to it, and what is worked.
@@ -21,15 +21,15 @@ pub struct Machine<'a, P: Plant> {
     recall: Recall<P>,
     cell: &'a Workcell,
     binding: &'a Binding,
-    zones: &'a Zones,
+    zones: &'a ReadingRegions,
     /// A person of whom each of the readings is reported, as far as the FMU is told of people.
-    people: Vec<sensors::Seen>,
+    people: Vec<sensors::SensorTarget>,
     /// The last transition: before it and after.
     last: (NodeId, NodeId),
     /// Presses that there may be.
     presses: u32,
     /// Where controls are worked, how it came to states the first time.
-    stories: BTreeMap<State, Arc<Story>>,
+    stories: BTreeMap<State, Arc<StateOrigin>>,
     /// Why the FMU first could not finish a step.
     fault: Option<String>,
     /// The robots, and where people may be.
@@ -42,8 +42,8 @@ impl<'a, P: Plant> Machine<'a, P> {
     pub fn new(
         recall: Recall<P>,
         (cell, binding): (&'a Workcell, &'a Binding),
-        (zones, people): (&'a Zones, Vec<sensors::Seen>),
-        (part, presses): (&'a Part, u32),
+        (zones, people): (&'a ReadingRegions, Vec<sensors::SensorTarget>),
+        (part, presses): (&'a RobotGroup, u32),
     ) -> Self {
         Self {
             recall,
@@ -82,7 +82,7 @@ impl<'a, P: Plant> Machine<'a, P> {
     }
 
     /// A state comes of another, where the story goes on so.
-    fn comes_of(&mut self, before: &State, state: &State, goes_on: impl FnOnce(&mut Story)) {
+    fn comes_of(&mut self, before: &State, state: &State, goes_on: impl FnOnce(&mut StateOrigin)) {
         if self.presses == 0 || self.stories.contains_key(state) {
             return;
         }
@@ -92,7 +92,7 @@ impl<'a, P: Plant> Machine<'a, P> {
     }
 
     /// Takes in the robots after a step, and during it.
-    pub fn look(&mut self, taken: &Taken<'_, State>) {
+    pub fn look(&mut self, taken: &PossibleStep<'_, State>) {
         let rows = self.rows_up_to(self.instants.compared_rows().min(taken.step + 1).max(2));
         let (columns, step) = (self.recall.outputs(NodeId::ROOT).len(), taken.step);
         self.instants.compare_speeds(&rows, rows.len() / columns.max(1), step);
@@ -125,7 +125,7 @@ impl<P: Plant> Watch for Machine<'_, P> {
         let first = &self.zones.readings[self.zones.ways[0].to];
         let sensors = self.cell.sensors.iter().zip(first);
         let settled = |(sensor, raw): (&crate::cell::Sensor, &bool)| {
-            DelayLine::settled(*raw, sensor.delay_steps).latching(sensor.latched, *raw).on_its_way()
+            DelayLine::steady(*raw, sensor.delay_steps).latching(sensor.latched, *raw).on_its_way()
         };
         Ok((NodeId::ROOT, sensors.map(settled).collect(), Controls::new(self.presses)))
     }

@@ -2,7 +2,7 @@
 //! have been where.
 
 use super::instants::{Instant, Instants};
-use super::zones::Zones;
+use super::reading_regions::ReadingRegions;
 use crate::search::behaviours::stays::Stays;
 use crate::search::behaviours::{Behaviours, Number};
 use crate::stop::Stop;
@@ -15,7 +15,7 @@ const LOOK_AFTER: Number = 64;
 pub fn seen_by<'o>(
     instants: &mut Instants<'_>,
     found: &Behaviours,
-    (stays, zones): (&Stays, &Zones),
+    (stays, zones): (&Stays, &ReadingRegions),
     (outputs, compares): (&dyn Fn(Number) -> &'o [f64], bool),
     stop: &Stop,
 ) -> Option<()> {

@@ -8,9 +8,9 @@
 
 use std::sync::{Arc, PoisonError};
 
+use super::internal_sensors::arc;
 use super::readings::may_report;
-use super::told::arc;
-use super::{Anywhere, FLOOR_M, is_plane, is_reported, starts};
+use super::{FLOOR_M, ReachabilitySearch, is_plane, is_reported, starts};
 use crate::cell::{DetectionZone, Sensor};
 use crate::geometry::polygon::{contains, distance_to_edge};
 use crate::geometry::segment_cuboid::point_cuboid;
@@ -20,7 +20,7 @@ use crate::human::posture::{cut_back, may_be_cut_back};
 use crate::human::{
     Arrangement, Inwards, PoseBox, Posture, Presses, capsule_hits, has_room_throughout, is_without_room,
 };
-use crate::sim::sensors::{Seen, sees};
+use crate::sim::sensors::{SensorTarget, sees};
 use crate::stop::Stop;
 
 /// A place is beside a square if it is no farther from its middle, m.
@@ -41,7 +41,7 @@ pub(super) struct Outside {
     leaves: bool,
 }
 
-impl Anywhere<'_> {
+impl ReachabilitySearch<'_> {
     /// Whether it is shown that somebody gets there from where people come from, with none of the sensors that `matter` seeing them on the
     /// way: see the top of this file.
     #[must_use]
@@ -75,7 +75,7 @@ impl Anywhere<'_> {
 }
 
 impl Outside {
-    fn new(of: &Anywhere<'_>, matter: &[bool]) -> Self {
+    fn new(of: &ReachabilitySearch<'_>, matter: &[bool]) -> Self {
         let rules = Rules::new(of, matter);
         let mut floors: Vec<Inwards> = rules
             .turned()
@@ -91,7 +91,7 @@ impl Outside {
 
 /// What holds of people, exactly or for all of a box.
 struct Rules<'a> {
-    of: &'a Anywhere<'a>,
+    of: &'a ReachabilitySearch<'a>,
     /// What is in the way, doors closed.
     obstacles: Vec<Cuboid>,
     /// Sensors that matter and keep people out.
@@ -101,7 +101,7 @@ struct Rules<'a> {
 }
 
 impl<'a> Rules<'a> {
-    fn new(of: &'a Anywhere<'_>, matter: &[bool]) -> Self {
+    fn new(of: &'a ReachabilitySearch<'_>, matter: &[bool]) -> Self {
         let counts = |(sensor, matters): (&'a Sensor, &bool)| matters.then_some(sensor);
         let all = of.cell.sensors.iter().zip(matter);
         let keeps_out = |sensor: &&Sensor| sensor.zone.keeps_out();
@@ -258,7 +258,7 @@ impl<'a> Rules<'a> {
         let (body, position) = (&self.of.cell.body, at.position());
         let clear = |posture: Posture| {
             let bend = cut_back(body, position, heading_rad, posture, &self.obstacles);
-            let seen = Seen {
+            let seen = SensorTarget {
                 feet: body.feet(position, heading_rad),
                 besides: None,
                 body: Some(self.of.placed(&at, posture, bend)),

@@ -25,8 +25,8 @@ fn cell(parts: &str, human: &str) -> Workcell {
     validate(&Source::new("t.toml", &text)).unwrap()
 }
 
-fn search(cell: &Workcell) -> Anywhere<'_> {
-    Anywhere::on_cells_of(0.025, cell, std::iter::empty(), 0.0, Stop::default()).unwrap()
+fn search(cell: &Workcell) -> ReachabilitySearch<'_> {
+    ReachabilitySearch::on_cells_of(0.025, cell, std::iter::empty(), 0.0, Stop::default()).unwrap()
 }
 
 /// A wall between two corners.

@@ -80,7 +80,7 @@ mod tests {
     use crate::geometry::{Vec3, rotation_about};
     use crate::human::{Anthropometry, BendFraction, Posture};
     use crate::search::Rng;
-    use crate::sim::sensors::{Seen, sees};
+    use crate::sim::sensors::{SensorTarget, sees};
 
     /// Random poses of random boxes: what a sensor reports is among what it may; and of small boxes only one is, mostly.
     #[test]
@@ -131,7 +131,7 @@ mod tests {
                 let mut within = |middle: f64, half: f64| middle + uniform(-1.0, 1.0) * half;
                 let xy_m = [within(at.xy_m[0], at.half_m), within(at.xy_m[1], at.half_m)];
                 let there = PoseBox::point(xy_m, within(at.heading_rad, at.half_rad));
-                let seen = Seen {
+                let seen = SensorTarget {
                     feet: body.feet(there.position(), there.heading_rad),
                     besides: None,
                     body: Some(placed(&there)),

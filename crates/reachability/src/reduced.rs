@@ -8,7 +8,7 @@
 use std::collections::BTreeMap;
 use std::sync::Arc;
 
-use super::Seen;
+use super::ReachableInstant;
 use crate::geometry::Vec3;
 use crate::sim::robot::RobotFrame;
 use crate::standards::iso_13855::{HAND_SPEED_M_S, WALKING_SPEED_M_S};
@@ -42,7 +42,7 @@ impl MayBeOff {
 const LOOK_AFTER: usize = 16;
 
 /// Robots at an instant, and what each link is larger by, m.
-pub(super) type Grown = (Seen, Vec<f64>);
+pub(super) type Grown = (ReachableInstant, Vec<f64>);
 
 /// One that stands for itself and for others.
 struct Stands<'a> {
@@ -62,7 +62,7 @@ pub(super) fn reduced(
     links: &[bool],
     (nearly, off): (Nearly, &MayBeOff),
     stop: &Stop,
-) -> Option<(Vec<Seen>, Vec<Seen>)> {
+) -> Option<(Vec<ReachableInstant>, Vec<ReachableInstant>)> {
     let mut order: Vec<usize> = (0..all.len()).collect();
     let key = |number: &usize| (&all[*number].0, all[*number].0.frame.fastest);
     // Those first that stand for most: the fastest of those who were there longest.
@@ -121,13 +121,13 @@ pub(super) fn reduced(
         let frame = Arc::new(stands.of.0.frame.standing_for(&by_m, faster));
         let within_m = stands.within_m.map(|within_m| within_m + stands.off.farther_m);
         let depth_m = stands.depth_m + stands.off.farther_m * HAND_SPEED_M_S / WALKING_SPEED_M_S;
-        Seen { frame, within_m, depth_m, ..stands.of.0.clone() }
+        ReachableInstant { frame, within_m, depth_m, ..stands.of.0.clone() }
     });
     Some((own, wide.collect()))
 }
 
 /// Whether people got about as far until then by everything; hands are faster than people walk.
-fn outlasts(one: &Seen, other: &Seen, nearly: Nearly) -> bool {
+fn outlasts(one: &ReachableInstant, other: &ReachableInstant, nearly: Nearly) -> bool {
     let depth_m = nearly.farther_m * HAND_SPEED_M_S / WALKING_SPEED_M_S;
     (0..2).all(|n| one.within_m[n] + nearly.farther_m >= other.within_m[n]) && one.depth_m + depth_m >= other.depth_m
 }

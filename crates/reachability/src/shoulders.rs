@@ -2,7 +2,7 @@
 
 use std::f64::consts::PI;
 
-use super::Anywhere;
+use super::ReachabilitySearch;
 use super::readings::lever;
 use crate::geometry::Vec3;
 use crate::human::posture::may_be_cut_back;
@@ -39,7 +39,7 @@ fn pieces(at: &PoseBox, from_axis: f64) -> u32 {
     (at.half_rad.min(PI) * from_axis / at.place_moves_m().clamp(0.5 * ARC_M, ARC_M)).ceil().max(1.0) as u32
 }
 
-impl Anywhere<'_> {
+impl ReachabilitySearch<'_> {
     /// Whether, wherever on its arc around the axis a shoulder is, no arm gets to a robot from there, or none is available.
     pub(super) fn is_out_of_reach(
         &self,

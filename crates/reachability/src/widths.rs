@@ -6,7 +6,7 @@ use std::sync::Arc;
 
 use crate::cell::{Binding, Workcell};
 use crate::geometry::{Solid, Vec3};
-use crate::search::behaviours::Shown;
+use crate::search::behaviours::OutputClass;
 use crate::search::behaviours::net::{apart, cell};
 use crate::sim::robot::RobotFrame;
 
@@ -169,23 +169,23 @@ type Traits = Box<[f32]>;
 pub(crate) struct Rows {
     /// Each with its traits.
     all: Vec<(Box<[f64]>, Traits)>,
-    places: BTreeMap<[i64; 3], Vec<Shown>>,
+    places: BTreeMap<[i64; 3], Vec<OutputClass>>,
 }
 
 impl Rows {
     /// A row by its number.
     #[must_use]
-    pub(crate) fn row(&self, shown: Shown) -> &[f64] {
+    pub(crate) fn row(&self, shown: OutputClass) -> &[f64] {
         &self.all[shown as usize].0
     }
 
     /// The number of a row, or of another that is nearly there.
     #[expect(clippy::cast_possible_truncation, reason = "as many as memory holds")]
-    pub fn number(&mut self, row: &[f64], traits: &[f32], widths: &Widths) -> Shown {
+    pub fn number(&mut self, row: &[f64], traits: &[f32], widths: &Widths) -> OutputClass {
         if let Some((known, _)) = self.nearest(traits, PART, widths) {
             return known;
         }
-        let number = self.all.len() as Shown;
+        let number = self.all.len() as OutputClass;
         self.all.push((row.into(), traits.into()));
         self.places.entry(cell(widths.place(traits), CELL)).or_default().push(number);
         number
@@ -197,9 +197,9 @@ impl Rows {
         traits: &[f32],
         most: f32,
         widths: &Widths,
-        counts: impl Fn(Shown) -> bool,
-    ) -> Option<(Shown, f32)> {
-        let mut least: Option<(f32, Shown)> = None;
+        counts: impl Fn(OutputClass) -> bool,
+    ) -> Option<(OutputClass, f32)> {
+        let mut least: Option<(f32, OutputClass)> = None;
         self.near(traits, most, widths, &mut |known, its| {
             // What is at rest harms nobody, so it stands only for what is.
             if counts(known) && apart(traits, its, most).is_some() && (widths.rests(traits) || !widths.rests(its)) {
@@ -213,7 +213,7 @@ impl Rows {
         least.map(|(beyond, known)| (known, beyond))
     }
 
-    fn near<'a>(&'a self, traits: &[f32], most: f32, widths: &Widths, tell: &mut dyn FnMut(Shown, &'a [f32])) {
+    fn near<'a>(&'a self, traits: &[f32], most: f32, widths: &Widths, tell: &mut dyn FnMut(OutputClass, &'a [f32])) {
         let [low, high] = [-most, most].map(|by| cell(widths.place(traits).map(|at| at + by), CELL));
         for x in low[0]..=high[0] {
             for y in low[1]..=high[1] {
@@ -225,8 +225,8 @@ impl Rows {
     }
 
     /// The nearest, and how far it is, no farther away than so, in widths.
-    fn nearest(&self, traits: &[f32], most: f32, widths: &Widths) -> Option<(Shown, f32)> {
-        let mut nearest: Option<(Shown, f32)> = None;
+    fn nearest(&self, traits: &[f32], most: f32, widths: &Widths) -> Option<(OutputClass, f32)> {
+        let mut nearest: Option<(OutputClass, f32)> = None;
         self.near(traits, most, widths, &mut |known, its| {
             let most = nearest.map_or(most, |(_, apart)| apart);
             if let Some(apart) = apart(traits, its, most)

@@ -5,7 +5,7 @@ use std::fmt::Write as _;
 use schemars::JsonSchema;
 use serde::Serialize;
 
-use super::begin::Begin;
+use super::begin::InitialConditionRecord;
 use super::figures::grouped;
 use super::paragraph::wrapped;
 use crate::human::Action;
@@ -14,7 +14,7 @@ use fmi_hazard_criteria::criterion::Class;
 
 /// A change of the cell against a hazard.
 #[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
-pub struct Remedy {
+pub struct RiskReduction {
     /// The change, in words: the smallest that helps, else the largest that was tried.
     pub change: String,
     /// The cell file with it.
@@ -24,22 +24,22 @@ pub struct Remedy {
     #[serde(skip_serializing_if = "Option::is_none")]
     pub limit: Option<String>,
     /// What came of it.
-    pub outcome: Outcome,
+    pub outcome: RiskReductionOutcome,
 }
 
 /// What came of a change.
 #[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
 #[serde(rename_all = "snake_case")]
 #[schemars(rename = "RemedyOutcome")]
-pub enum Outcome {
+pub enum RiskReductionOutcome {
     /// Nothing in the cell is hazardous any more: every sequence was looked at.
-    Sufficient(Checked),
+    Sufficient(TestedAgainst),
     /// No hazard was met, but not everything was looked at.
-    NotMet(Checked),
+    NotMet(TestedAgainst),
     /// The cause of this hazard is gone, other causes of the scan are not.
-    OthersRemain(Others),
+    OthersRemain(RemainingHazards),
     /// No hazard is met within the time that the cell file looks at, but later.
-    OnlyLater(Met),
+    OnlyLater(HazardAfterChange),
     /// It is met no more, for a reason that does not count.
     NoAdvice {
         /// The reason.
@@ -59,7 +59,7 @@ pub enum Outcome {
 
 /// What a change was held against.
 #[derive(Clone, Debug, Default, PartialEq, Serialize, JsonSchema)]
-pub struct Checked {
+pub struct TestedAgainst {
     /// Sequences of the scan, for all its hazards.
     pub known_sequences: usize,
     /// Sequences that led to a hazard after smaller changes.
@@ -67,24 +67,24 @@ pub struct Checked {
     /// New sequences from the start.
     pub searched: u32,
     /// The complete search from each of the cell's beginnings, the own first.
-    pub complete: Vec<Complete>,
+    pub complete: Vec<ExhaustiveCheck>,
     /// Places around the start from which the person began, too.
     pub around: usize,
     /// Whether all sequences from there were looked at, else some.
     pub around_complete: bool,
     /// What came of a search from anywhere, if there was one.
     #[serde(skip_serializing_if = "Option::is_none")]
-    pub everywhere: Option<FromAnywhere>,
+    pub everywhere: Option<ReachabilityCheck>,
     /// Longest time of known and new sequences that were tried beyond that of the cell file, s.
     pub longest_s: f64,
     /// What one step less leads to.
-    pub one_less: OneLess,
+    pub one_less: NextSmaller,
 }
 
 /// A search from anywhere in which nobody was shown to be hit.
 #[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
 #[schemars(rename = "RemedyFromAnywhere")]
-pub struct FromAnywhere {
+pub struct ReachabilityCheck {
     /// How long after the start of the FMU, s.
     pub until_s: f64,
     /// Why it does not show that nobody is hit; nothing if it does.
@@ -96,7 +96,7 @@ pub struct FromAnywhere {
 
 /// A complete search.
 #[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
-pub struct Complete {
+pub struct ExhaustiveCheck {
     /// From which of the cell's beginnings, from 1.
     pub beginning: usize,
     /// How many sequences there are, in decimal.
@@ -112,12 +112,12 @@ pub struct Complete {
 /// What the next smaller change leads to.
 #[derive(Clone, Debug, Default, PartialEq, Serialize, JsonSchema)]
 #[serde(rename_all = "snake_case")]
-pub enum OneLess {
+pub enum NextSmaller {
     /// No change at all: the cell as it is.
     #[default]
     AsItIs,
     /// A hazard.
-    Met(Met),
+    Met(HazardAfterChange),
     /// It cannot be tried.
     NotTried {
         /// Why.
@@ -128,13 +128,13 @@ pub enum OneLess {
         /// The least of the change with which nothing was met, in words.
         change: String,
         /// What one step less than that leads to, if it is a hazard.
-        met: Option<Met>,
+        met: Option<HazardAfterChange>,
     },
 }
 
 /// A hazard that was met after a change.
 #[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
-pub struct Met {
+pub struct HazardAfterChange {
     /// What it breaks.
     pub class: Class,
     /// What is hit.
@@ -148,7 +148,7 @@ pub struct Met {
     /// The sequence.
     pub actions: Vec<Action>,
     /// Where it begins, if that is not where the scan began.
-    pub from: Option<Begin>,
+    pub from: Option<InitialConditionRecord>,
     /// The cell file in which it is met.
     #[serde(skip)]
     pub cell: String,
@@ -159,18 +159,18 @@ pub struct Met {
 
 /// What is left after a change.
 #[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
-pub struct Others {
+pub struct RemainingHazards {
     /// Different hazards of other causes that were met; there may be more.
     pub at_least: usize,
     /// The worst of them, if any was met.
-    pub worst: Option<Met>,
+    pub worst: Option<HazardAfterChange>,
     /// Whether every sequence was looked at for hazards that are of no other cause.
     pub complete: bool,
     /// What it was held against.
-    pub checked: Checked,
+    pub checked: TestedAgainst,
 }
 
-impl Met {
+impl HazardAfterChange {
     fn words(&self) -> String {
         let mut words = format!(
             "{:.2}x {} {} {} after {:.2} s",
@@ -180,7 +180,7 @@ impl Met {
             self.robot_link,
             self.time_s
         );
-        if let Some(Begin { xy_m: [x, y], heading_deg, begins_s }) = &self.from {
+        if let Some(InitialConditionRecord { xy_m: [x, y], heading_deg, begins_s }) = &self.from {
             let _ = write!(words, ", from ({x:.2}, {y:.2}) m, {heading_deg:.0} degrees");
             if *begins_s > 0.0 {
                 let _ = write!(words, ", {begins_s:.2} s after the FMU");
@@ -190,7 +190,7 @@ impl Met {
     }
 }
 
-impl Checked {
+impl TestedAgainst {
     /// Whether every sequence was looked at, from each of the cell's beginnings that it is about.
     #[must_use]
     pub fn is_complete(&self) -> bool {
@@ -240,7 +240,7 @@ impl Checked {
             n => words.push(format!("some from each of {n} places around the start")),
         }
         match &self.everywhere {
-            Some(FromAnywhere { until_s, reasons, .. }) => words.push(match reasons.first() {
+            Some(ReachabilityCheck { until_s, reasons, .. }) => words.push(match reasons.first() {
                 None => format!("everybody who comes from anywhere, until {until_s:.1} s"),
                 Some(reason) => format!("from anywhere that nobody is hit is not shown: {reason}"),
             }),
@@ -255,10 +255,10 @@ impl Checked {
     /// What one step less leads to, in words.
     pub(super) fn one_less(&self) -> String {
         match &self.one_less {
-            OneLess::AsItIs => "One step less is the cell as it is.".to_owned(),
-            OneLess::Met(met) => format!("One step less: {}.", met.words()),
-            OneLess::NotTried { cause } => format!("One step less cannot be tried: {cause}."),
-            OneLess::Close { change, met } => {
+            NextSmaller::AsItIs => "One step less is the cell as it is.".to_owned(),
+            NextSmaller::Met(met) => format!("One step less: {}.", met.words()),
+            NextSmaller::NotTried { cause } => format!("One step less cannot be tried: {cause}."),
+            NextSmaller::Close { change, met } => {
                 let less =
                     met.as_ref().map_or_else(String::new, |met| format!(" One step less than that: {}.", met.words()));
                 format!(
@@ -269,17 +269,23 @@ impl Checked {
     }
 }
 
-impl Remedy {
+impl RiskReduction {
     /// One line as soon as it is known; nothing if it is no advice.
     #[must_use]
     pub fn told(&self) -> Option<String> {
         match &self.outcome {
-            Outcome::Sufficient(checked) if checked.is_enough() => Some(format!("{}: no hazard is left", self.change)),
-            Outcome::Sufficient(_) => {
+            RiskReductionOutcome::Sufficient(checked) if checked.is_enough() => {
+                Some(format!("{}: no hazard is left", self.change))
+            }
+            RiskReductionOutcome::Sufficient(_) => {
                 Some(format!("{}: no hazard is left from the starts in the cell file", self.change))
             }
-            Outcome::NotMet(_) => Some(format!("{}: no hazard was met; not every sequence was looked at", self.change)),
-            Outcome::OthersRemain(_) => Some(format!("{}: this cause is gone, others remain", self.change)),
+            RiskReductionOutcome::NotMet(_) => {
+                Some(format!("{}: no hazard was met; not every sequence was looked at", self.change))
+            }
+            RiskReductionOutcome::OthersRemain(_) => {
+                Some(format!("{}: this cause is gone, others remain", self.change))
+            }
             _ => None,
         }
     }
@@ -302,13 +308,13 @@ fn section(out: &mut String, title: &str, changes: &[(&str, Vec<String>)]) {
 
 /// All of them, for people: what is enough comes first.
 #[must_use]
-pub fn render(remedies: &[Remedy]) -> String {
+pub fn render(remedies: &[RiskReduction]) -> String {
     if remedies.is_empty() {
         return String::new();
     }
     let mut out = String::new();
-    let of = |lines: &dyn Fn(&Outcome) -> Option<Vec<String>>| -> Vec<(&str, Vec<String>)> {
-        let told = |remedy: &Remedy| {
+    let of = |lines: &dyn Fn(&RiskReductionOutcome) -> Option<Vec<String>>| -> Vec<(&str, Vec<String>)> {
+        let told = |remedy: &RiskReduction| {
             let limit = remedy.limit.iter().map(|limit| format!("More was not tried: {limit}."));
             Some(lines(&remedy.outcome)?.into_iter().chain(limit).collect())
         };
@@ -316,7 +322,7 @@ pub fn render(remedies: &[Remedy]) -> String {
     };
     let sufficient = |enough: bool| {
         of(&|outcome| match outcome {
-            Outcome::Sufficient(checked) if checked.is_enough() == enough => {
+            RiskReductionOutcome::Sufficient(checked) if checked.is_enough() == enough => {
                 Some(vec![format!("Looked at: {}.", checked.words()), checked.one_less()])
             }
             _ => None,
@@ -333,7 +339,7 @@ pub fn render(remedies: &[Remedy]) -> String {
         &sufficient(false),
     );
     let not_met = of(&|outcome| match outcome {
-        Outcome::NotMet(checked) => {
+        RiskReductionOutcome::NotMet(checked) => {
             let mut lines = vec![format!("Looked at: {}.", checked.words())];
             lines.extend(checked.complete.iter().flat_map(|c| c.reasons.first()).map(|r| format!("Not all: {r}.")));
             lines.push(checked.one_less());
@@ -343,7 +349,7 @@ pub fn render(remedies: &[Remedy]) -> String {
     });
     section(&mut out, "Tried in part: no hazard was met after these, and not every sequence was looked at", &not_met);
     let others = of(&|outcome| match outcome {
-        Outcome::OthersRemain(others) => {
+        RiskReductionOutcome::OthersRemain(others) => {
             let mut lines = vec![format!("Looked at: {}.", others.checked.words()), others.checked.one_less()];
             if let (Some(worst), s) = (&others.worst, if others.at_least == 1 { "" } else { "s" }) {
                 lines.push(format!("Left, at least: {} hazard{s}, worst {}.", others.at_least, worst.words()));
@@ -354,13 +360,13 @@ pub fn render(remedies: &[Remedy]) -> String {
     });
     section(&mut out, "Smallest changes after which this cause is gone; other causes remain", &others);
     let later = of(&|outcome| match outcome {
-        Outcome::OnlyLater(met) => Some(vec![format!("Met again: {}.", met.words())]),
+        RiskReductionOutcome::OnlyLater(met) => Some(vec![format!("Met again: {}.", met.words())]),
         _ => None,
     });
     section(&mut out, "Not enough: only later than the cell file looks", &later);
     let mut causes: Vec<(&str, Vec<&str>)> = Vec::new();
     for remedy in remedies {
-        let Outcome::NoAdvice { cause } = &remedy.outcome else { continue };
+        let RiskReductionOutcome::NoAdvice { cause } = &remedy.outcome else { continue };
         match causes.iter_mut().find(|(known, _)| known == cause) {
             Some((_, changes)) => changes.push(&remedy.change),
             None => causes.push((cause, vec![&remedy.change])),
@@ -370,9 +376,9 @@ pub fn render(remedies: &[Remedy]) -> String {
         causes.iter().map(|(cause, changes)| (*cause, vec![format!("{}.", changes.join("; "))])).collect();
     section(&mut out, "Not advised", &no_advice);
     out.push('\n');
-    let no_help = |remedy: &Remedy| match &remedy.outcome {
-        Outcome::NoHelp { limit: None } => Some(remedy.change.clone()),
-        Outcome::NoHelp { limit: Some(why) } => Some(format!("{} (not more: {why})", remedy.change)),
+    let no_help = |remedy: &RiskReduction| match &remedy.outcome {
+        RiskReductionOutcome::NoHelp { limit: None } => Some(remedy.change.clone()),
+        RiskReductionOutcome::NoHelp { limit: Some(why) } => Some(format!("{} (not more: {why})", remedy.change)),
         _ => None,
     };
     let no_help: Vec<String> = remedies.iter().filter_map(no_help).collect();
@@ -380,7 +386,7 @@ pub fn render(remedies: &[Remedy]) -> String {
         out += &wrapped(&format!("Does not help alone: {}.", no_help.join("; ")), "   ");
     }
     for remedy in remedies {
-        if let Outcome::NotTried { cause } = &remedy.outcome {
+        if let RiskReductionOutcome::NotTried { cause } = &remedy.outcome {
             out += &wrapped(&format!("Could not be tried: {}: {cause}", remedy.change), "   ");
         }
     }
@@ -399,7 +405,7 @@ mod tests {
     /// Enough takes every sequence and everybody from anywhere: with either of them missing or in part it is not said, in no words.
     #[test]
     fn enough_is_said_of_what_nothing_is_open_with() {
-        let from_start = |reasons: &[&str]| Complete {
+        let from_start = |reasons: &[&str]| ExhaustiveCheck {
             beginning: 1,
             sequences: "36".to_owned(),
             actions: 1,
@@ -407,25 +413,25 @@ mod tests {
             reasons: reasons.iter().map(|&reason| reason.to_owned()).collect(),
         };
         let from_anywhere = |reason: Option<&str>| {
-            Some(FromAnywhere {
+            Some(ReachabilityCheck {
                 until_s: 4.0,
                 reasons: reason.map(str::to_owned).into_iter().collect(),
                 is_close: false,
             })
         };
-        let checked = |complete: Vec<Complete>, everywhere: Option<FromAnywhere>| Checked {
+        let checked = |complete: Vec<ExhaustiveCheck>, everywhere: Option<ReachabilityCheck>| TestedAgainst {
             complete,
             everywhere,
-            ..Checked::default()
+            ..TestedAgainst::default()
         };
         let whole = checked(vec![from_start(&[])], from_anywhere(None));
         assert_eq!((whole.enough_until_s(), whole.rank()), (Some(4.0), 2));
-        let told = |checked: Checked| {
-            let remedy = Remedy {
+        let told = |checked: TestedAgainst| {
+            let remedy = RiskReduction {
                 change: "mat wider".to_owned(),
                 cell: String::new(),
                 limit: None,
-                outcome: Outcome::Sufficient(checked),
+                outcome: RiskReductionOutcome::Sufficient(checked),
             };
             (remedy.told().unwrap(), render(&[remedy]))
         };

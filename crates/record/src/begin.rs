@@ -5,7 +5,7 @@ use serde::{Deserialize, Serialize};
 
 /// Where and when a person begins.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
-pub struct Begin {
+pub struct InitialConditionRecord {
     /// Floor plan, m.
     pub xy_m: [f64; 2],
     /// Heading from +x towards +y, degrees.
@@ -14,7 +14,7 @@ pub struct Begin {
     pub begins_s: f64,
 }
 
-impl Begin {
+impl InitialConditionRecord {
     /// For comparisons: to the last bit.
     #[must_use]
     pub fn bits(&self) -> [u64; 4] {

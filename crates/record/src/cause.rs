@@ -7,15 +7,15 @@ use num_traits::ToPrimitive as _;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
-use super::advice::{Outcome, Remedy};
+use super::advice::{RiskReduction, RiskReductionOutcome};
 use super::figures::{percent, plural};
 use super::hazard::{HELD_WORDS, Hazard, SensorState};
 use super::judged::{Judged, Measure};
+use super::operated::worked_words;
 use super::paragraph::wrapped;
-use super::worked::worked_words;
 use crate::standards::BodyRegion;
 use fmi_hazard_criteria::cause::LONG_S;
-use fmi_hazard_criteria::{Class, Part};
+use fmi_hazard_criteria::{BodyOrArm, Class};
 
 /// Hazards that are one flaw.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
@@ -27,7 +27,7 @@ pub struct Cause {
     /// The robot.
     pub robot: String,
     /// What of the person is hit.
-    pub part: Part,
+    pub part: BodyOrArm,
     /// The sensors at the contact of its worst hazard.
     pub sensors: Vec<SensorState>,
     /// Id of its worst hazard.
@@ -140,7 +140,7 @@ impl Cause {
     #[must_use]
     pub fn new(
         id: String,
-        (robot, part): (String, Part),
+        (robot, part): (String, BodyOrArm),
         hazards: &[&Hazard],
         around: &Circumstances,
         all: Option<&BigUint>,
@@ -413,11 +413,11 @@ impl Change {
     }
 
     /// A change with which the cause was not met any more; nothing if it was.
-    fn of(remedy: &Remedy) -> Option<Self> {
+    fn of(remedy: &RiskReduction) -> Option<Self> {
         let (checked, complete, removes_all) = match &remedy.outcome {
-            Outcome::Sufficient(checked) => (checked, true, true),
-            Outcome::NotMet(checked) => (checked, false, true),
-            Outcome::OthersRemain(others) => (&others.checked, others.complete, false),
+            RiskReductionOutcome::Sufficient(checked) => (checked, true, true),
+            RiskReductionOutcome::NotMet(checked) => (checked, false, true),
+            RiskReductionOutcome::OthersRemain(others) => (&others.checked, others.complete, false),
             _ => return None,
         };
         let change = remedy.change.clone();
@@ -429,17 +429,18 @@ impl Change {
 impl CauseAdvice {
     /// From what came of the changes that were tried, of which some may be missing if the search `was_stopped`.
     #[must_use]
-    pub fn of(remedies: &[Remedy], was_stopped: bool) -> Self {
+    pub fn of(remedies: &[RiskReduction], was_stopped: bool) -> Self {
         let mut changes: Vec<Change> = remedies.iter().filter_map(Change::of).collect();
         changes.sort_by_key(|change| (!change.removes_all, change.enough_until_s.is_none(), !change.complete));
-        let tried = remedies.iter().filter(|remedy| !matches!(remedy.outcome, Outcome::NotTried { .. })).count();
+        let tried =
+            remedies.iter().filter(|remedy| !matches!(remedy.outcome, RiskReductionOutcome::NotTried { .. })).count();
         let tried = match tried {
             0 => "No change could be tried".to_owned(),
             1 => "1 change tried".to_owned(),
             n => format!("{n} changes tried"),
         };
         let stopped = if was_stopped { ", then stopped" } else { "" };
-        let note = if remedies.iter().all(|remedy| matches!(remedy.outcome, Outcome::NotTried { .. })) {
+        let note = if remedies.iter().all(|remedy| matches!(remedy.outcome, RiskReductionOutcome::NotTried { .. })) {
             format!("{tried}{stopped}. fmi-hazard explain tells why.")
         } else if changes.is_empty() {
             format!("{tried}{stopped}: none of them alone keeps it from being met. fmi-hazard explain tells of each.")

@@ -5,7 +5,7 @@ mod robots;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
-pub use self::robots::{NeverMet, RobotCoverage};
+pub use self::robots::{NoContactReason, RobotCoverage};
 
 /// Figures beside a verdict.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]

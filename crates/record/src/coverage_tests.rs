@@ -57,47 +57,54 @@ fn each_robot_is_judged_by_itself() {
         // Beside one that was met.
         let mut coverage = seen(&[met(), robot]);
         change(&mut coverage);
-        let of_first = coverage.never_met(0);
+        let of_first = coverage.no_contact_reason(0);
         assert!(coverage.actions == 0 || of_first.is_none(), "{of_first:?}");
-        coverage.never_met(1)
+        coverage.no_contact_reason(1)
     };
     let as_it_is = |_: &mut Coverage| {};
     let still = RobotCoverage { top_speed_m_s: 0.0, moved: false, ..met() };
     let away = RobotCoverage { instants_in_reach: 0, closest_approach_m: f64::MAX, ..met() };
     let far = RobotCoverage { instants_to_walk_to: 0, ..away.clone() };
     assert_eq!(never(met(), &as_it_is), None);
-    assert_eq!(never(still.clone(), &as_it_is), Some(NeverMet::NeverMoved { controls_worked: false }));
+    assert_eq!(never(still.clone(), &as_it_is), Some(NoContactReason::NeverMoved { controls_worked: false }));
     // Told to be fast, or seen to move: either is enough, whichever of the two is wrong.
     assert_eq!(never(RobotCoverage { moved: true, ..still.clone() }, &as_it_is), None);
     assert_eq!(never(RobotCoverage { top_speed_m_s: 0.5, ..still.clone() }, &as_it_is), None);
     let worked = |coverage: &mut Coverage| coverage.control_actions = vec![0, 3];
-    assert_eq!(never(still, &worked), Some(NeverMet::NeverMoved { controls_worked: true }));
-    assert_eq!(never(away.clone(), &as_it_is), Some(NeverMet::NeverNear));
-    assert_eq!(never(away, &|coverage| coverage.walks_blocked = 1), Some(NeverMet::KeptOut));
+    assert_eq!(never(still, &worked), Some(NoContactReason::NeverMoved { controls_worked: true }));
+    assert_eq!(never(away.clone(), &as_it_is), Some(NoContactReason::NeverNear));
+    assert_eq!(never(away, &|coverage| coverage.walks_blocked = 1), Some(NoContactReason::KeptOut));
     assert_eq!(
         never(far.clone(), &|coverage| coverage.walks_blocked = 1),
-        Some(NeverMet::TooFar),
+        Some(NoContactReason::TooFar),
         "no obstacle is why"
     );
     // What is too far to be touched is so whether it moves or not.
-    assert_eq!(never(RobotCoverage { moved: false, top_speed_m_s: 0.0, ..far }, &worked), Some(NeverMet::TooFar));
+    assert_eq!(
+        never(RobotCoverage { moved: false, top_speed_m_s: 0.0, ..far }, &worked),
+        Some(NoContactReason::TooFar)
+    );
     // An exhaustive search that drops its only state has simulated nothing, and knows why.
     let nothing = |coverage: &mut Coverage| coverage.actions = 0;
-    assert_eq!(never(RobotCoverage::default(), &nothing), Some(NeverMet::TooFar));
+    assert_eq!(never(RobotCoverage::default(), &nothing), Some(NoContactReason::TooFar));
     let only_lengths = RobotCoverage { reachable: true, ..RobotCoverage::default() };
-    assert_eq!(never(only_lengths, &nothing), Some(NeverMet::NotSimulated));
-    assert_eq!(Coverage::new(1).never_met(0), Some(NeverMet::NotSimulated), "nothing is known of robots at all");
+    assert_eq!(never(only_lengths, &nothing), Some(NoContactReason::NotSimulated));
+    assert_eq!(
+        Coverage::new(1).no_contact_reason(0),
+        Some(NoContactReason::NotSimulated),
+        "nothing is known of robots at all"
+    );
 }
 
 #[test]
 fn a_guard_and_a_prevented_start_are_answers_and_the_rest_is_not() {
     let all = [
-        (NeverMet::NotSimulated, false, "no action with R1 was simulated"),
-        (NeverMet::TooFar, false, "R1 was never near enough to be touched"),
-        (NeverMet::NeverMoved { controls_worked: false }, false, "R1 never moved."),
-        (NeverMet::NeverMoved { controls_worked: true }, true, "R1 never moved, though controls"),
-        (NeverMet::NeverNear, false, "nobody was ever near enough to touch R1"),
-        (NeverMet::KeptOut, true, "obstacles kept everybody away"),
+        (NoContactReason::NotSimulated, false, "no action with R1 was simulated"),
+        (NoContactReason::TooFar, false, "R1 was never near enough to be touched"),
+        (NoContactReason::NeverMoved { controls_worked: false }, false, "R1 never moved."),
+        (NoContactReason::NeverMoved { controls_worked: true }, true, "R1 never moved, though controls"),
+        (NoContactReason::NeverNear, false, "nobody was ever near enough to touch R1"),
+        (NoContactReason::KeptOut, true, "obstacles kept everybody away"),
     ];
     for (never, shown, words) in all {
         assert_eq!(never.is_shown(), shown, "{never:?}");

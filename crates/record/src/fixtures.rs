@@ -6,7 +6,7 @@ use super::cause::Cause;
 use super::hazard::Hazard;
 use super::model::{Headline, SCHEMA_VERSION, STANDARD_EDITION, ScanReport, Settings, Spent, Subject, Verdict};
 use crate::coverage::Coverage;
-use crate::obligations::verdict::Ended;
+use crate::obligations::verdict::SearchEnd;
 use crate::obligations::{Engine, Need, Obligations, Point, Reply};
 use fmi_hazard_criteria::Criterion;
 use fmu_self_test::{Agreement, Motion, SelfTest};
@@ -87,7 +87,7 @@ pub fn report(hazards: Vec<Hazard>, causes: Vec<Cause>) -> ScanReport {
     ScanReport {
         schema_version: SCHEMA_VERSION,
         tool: "fmi-hazard".to_owned(),
-        verdict: Verdict::of(Ended { found: !hazards.is_empty(), ..Ended::default() }, &all_shown()),
+        verdict: Verdict::of(SearchEnd { found: !hazards.is_empty(), ..SearchEnd::default() }, &all_shown()),
         headline: Headline::default(),
         subject: subject(),
         settings: settings(),

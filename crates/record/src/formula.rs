@@ -1,6 +1,6 @@
 //! What happens at a contact and how its force comes about, with its numbers: sentences that `explain` and the page share.
 
-use crate::begin::Begin;
+use crate::begin::InitialConditionRecord;
 use crate::hazard::{Hazard, SensorState, Through};
 use crate::standards::iso_ts_15066 as limits;
 use fmi_hazard_criteria::Class;
@@ -49,7 +49,7 @@ impl Hazard {
 
     /// Where its own worst sequence begins, and when it ends.
     #[must_use]
-    pub fn begins_words(&self, begins: Begin) -> String {
+    pub fn begins_words(&self, begins: InitialConditionRecord) -> String {
         format!("The worst begins {}; hit {:.2} s later", begins.words(), self.time_s)
     }
 

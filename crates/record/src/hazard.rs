@@ -3,10 +3,10 @@
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
-use super::begin::Begin;
+use super::begin::InitialConditionRecord;
 use super::immovable;
 use super::judged::{Clamping, Judged, LimitKind, Measure};
-use super::worked::{Working, worked_words};
+use super::operated::{OperatedControl, worked_words};
 use crate::human::action::Action;
 use crate::human::arm::ArmModel;
 use crate::standards::BodyRegion;
@@ -24,7 +24,7 @@ pub struct Hazard {
     pub confirmed: Option<bool>,
     /// Where and when its sequences begin, if that is not where the scan did. Its times count from then.
     #[serde(default, skip_serializing_if = "Option::is_none")]
-    pub begins: Option<Begin>,
+    pub begins: Option<InitialConditionRecord>,
     /// Why it is a finding.
     pub class: Class,
     /// How it was judged, where another criterion counts than the transient force.
@@ -95,7 +95,7 @@ pub struct Hazard {
     pub actions: Vec<Action>,
     /// Controls that are worked in it.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
-    pub worked: Vec<Working>,
+    pub worked: Vec<OperatedControl>,
     /// The first hazard by contact of the sequence, where a clamping comes behind it.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub first_contact: Option<FirstContact>,

@@ -4,15 +4,15 @@
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
-use super::begin::Begin;
+use super::begin::InitialConditionRecord;
 use super::cause::Cause;
 use super::certificate::{Certificate, Residual};
 use super::criteria::CriteriaRecord;
 use super::hazard::Hazard;
+use super::operated::ControlRecord;
 use super::people::{BodyRecord, SecondRecord};
 use super::share::CycleShare;
 use super::speeds::SpeedRecord;
-use super::worked::ControlRecord;
 use crate::coverage::Coverage;
 use crate::human::Ability;
 use crate::human::action::Action;
@@ -126,7 +126,7 @@ pub struct Subject {
     pub couplings: Vec<String>,
     /// Which of the cell's beginnings it is, if there are several or it is not at once.
     #[serde(default, skip_serializing_if = "Option::is_none")]
-    pub beginning: Option<BeginningSubject>,
+    pub beginning: Option<NumberedInitialCondition>,
 }
 
 impl Subject {
@@ -144,7 +144,7 @@ impl Subject {
 
 /// Where and when the person begins; times of hazards count from then.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
-pub struct BeginningSubject {
+pub struct NumberedInitialCondition {
     /// Its number, from 1.
     pub number: usize,
     /// How many the cell has.
@@ -157,7 +157,7 @@ pub struct BeginningSubject {
     pub begins_s: f64,
 }
 
-impl BeginningSubject {
+impl NumberedInitialCondition {
     /// Whether it is the same start at the same time, whatever its number.
     #[must_use]
     pub fn same(&self, other: &Self) -> bool {
@@ -166,9 +166,9 @@ impl BeginningSubject {
 
     /// The same without its number.
     #[must_use]
-    pub const fn begin(&self) -> Begin {
+    pub const fn begin(&self) -> InitialConditionRecord {
         let Self { number: _, of: _, xy_m, heading_deg, begins_s } = *self;
-        Begin { xy_m, heading_deg, begins_s }
+        InitialConditionRecord { xy_m, heading_deg, begins_s }
     }
 
     /// For people.
@@ -254,7 +254,7 @@ pub struct Settings {
     pub presses: Option<u32>,
     /// Of a scan from a start: where and when the person begins.
     #[serde(default, skip_serializing_if = "Option::is_none")]
-    pub begins: Option<Begin>,
+    pub begins: Option<InitialConditionRecord>,
     /// Of such a scan: the sensors that see somebody there already; of those inside the FMU it is not known before it runs.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub seen_at_start: Vec<String>,

@@ -5,13 +5,13 @@ use std::path::{Path, PathBuf};
 use path_clean::clean;
 use serde::Deserialize;
 
-use super::anywhere::ANYWHERE;
-use super::begin::Begin;
+use super::begin::InitialConditionRecord;
 use super::cause::{Cause, CauseAdvice};
 use super::hazard::Hazard;
-use super::looks::Looks;
-use super::model::{BeginningSubject, FileSubject, FmuSubject, SCHEMA_VERSION, Verdict};
+use super::model::{FileSubject, FmuSubject, NumberedInitialCondition, SCHEMA_VERSION, Verdict};
 use super::narrower::Narrower;
+use super::reachability::REACHABILITY;
+use super::scan_question::ScanQuestion;
 use crate::obligations::Obligations;
 
 /// A scan that was written to a file.
@@ -45,21 +45,21 @@ pub struct Recorded {
 impl Recorded {
     /// What it looked for; none if it does not say.
     #[must_use]
-    pub fn looks(&self) -> Option<Looks> {
-        Looks::of(&self.settings)
+    pub fn looks(&self) -> Option<ScanQuestion> {
+        ScanQuestion::of(&self.settings)
     }
 
     /// Where and when its person begins, of a scan from a start; none if it does not say. Versions that did not always write it
     /// down did so where a cell had several beginnings.
     #[must_use]
-    pub fn begins(&self) -> Option<Begin> {
-        let of_subject = || self.subject.beginning.as_ref().map(BeginningSubject::begin);
+    pub fn begins(&self) -> Option<InitialConditionRecord> {
+        let of_subject = || self.subject.beginning.as_ref().map(NumberedInitialCondition::begin);
         self.looks().and_then(|looks| looks.begins).or_else(of_subject)
     }
 
     /// Whether it would have told this hazard of an earlier scan if it were still there.
     #[must_use]
-    pub fn would_tell(&self, earlier: &Self, hazard: &Hazard) -> bool {
+    pub fn would_report(&self, earlier: &Self, hazard: &Hazard) -> bool {
         self.complete() && self.narrower(earlier, hazard).is_none()
     }
 
@@ -97,7 +97,7 @@ pub fn is_complete(verdict: Verdict, strategy: &str, certified: bool) -> bool {
         // Where nothing moved, or nobody was seen, nothing was shown; nor where it was ended.
         Verdict::Inconclusive | Verdict::FmuFailed | Verdict::Interrupted => false,
         // From anywhere the worst of each region and link is told where something is found.
-        Verdict::HazardsFound | Verdict::NoneFound(_) if strategy == ANYWHERE => verdict.is_clean(),
+        Verdict::HazardsFound | Verdict::NoneFound(_) if strategy == REACHABILITY => verdict.is_clean(),
         Verdict::HazardsFound | Verdict::NoneFound(_) => certified,
     }
 }
@@ -120,7 +120,7 @@ pub struct RecordedSubject {
     pub fmus: Vec<FmuSubject>,
     /// Which of the cell's beginnings it was.
     #[serde(default)]
-    pub beginning: Option<BeginningSubject>,
+    pub beginning: Option<NumberedInitialCondition>,
 }
 
 /// What an exhaustive search covered.
@@ -213,7 +213,7 @@ impl Recorded {
     /// Whether it is about people from anywhere, and none of the cell's beginnings.
     #[must_use]
     pub fn is_from_anywhere(&self) -> bool {
-        self.strategy() == ANYWHERE
+        self.strategy() == REACHABILITY
     }
 
     fn strategy(&self) -> &str {

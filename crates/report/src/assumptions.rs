@@ -32,7 +32,7 @@ pub(crate) fn assumptions(settings: &Value) -> Vec<String> {
 
 fn walks(settings: &Value, also: &[&str], holds: bool) -> String {
     let how = match settings["strategy"].as_str() {
-        Some(fmi_hazard_record::anywhere::ANYWHERE) => "on any way, turns, bends and reaches at any moment",
+        Some(fmi_hazard_record::reachability::REACHABILITY) => "on any way, turns, bends and reaches at any moment",
         _ => "turns, bends and reaches in actions of the length given above; an action takes effect at once",
     };
     let runs = also.contains(&"run");

@@ -5,10 +5,10 @@ use std::collections::{BTreeMap, BTreeSet};
 use super::difference::Change;
 use fmi_hazard_record::cause::{Cause, Grouped, grouped};
 use fmi_hazard_record::hazard::Hazard;
-use fmi_hazard_record::looks::Looks;
 use fmi_hazard_record::model::ScanReport;
 use fmi_hazard_record::narrower::Narrower;
 use fmi_hazard_record::recorded::{Recorded, RecordedSubject};
+use fmi_hazard_record::scan_question::ScanQuestion;
 
 /// Known hazards by id, and their causes.
 #[derive(Clone, Debug, Default)]
@@ -16,7 +16,7 @@ pub struct Baseline {
     known: BTreeMap<String, Hazard>,
     hazards: Vec<Hazard>,
     causes: Vec<Cause>,
-    looks: Option<Looks>,
+    looks: Option<ScanQuestion>,
     edition: Option<String>,
     subject: Option<RecordedSubject>,
 }
@@ -40,7 +40,7 @@ impl Baseline {
     #[must_use]
     pub fn of(scan: Recorded) -> Self {
         let known = scan.hazards.iter().map(|hazard| (hazard.id.clone(), hazard.clone())).collect();
-        let looks = scan.looks().map(|looks| Looks { begins: scan.begins(), ..looks });
+        let looks = scan.looks().map(|looks| ScanQuestion { begins: scan.begins(), ..looks });
         Self {
             known,
             looks,
@@ -83,7 +83,7 @@ impl Baseline {
     #[must_use]
     pub(crate) fn narrower(&self, report: &ScanReport, hazard: &Hazard) -> Option<Narrower> {
         let ScanReport { subject, settings, standard_edition, .. } = report;
-        let mut mine = Looks::from(settings);
+        let mut mine = ScanQuestion::from(settings);
         let (Some(mut its), Some(edition)) = (self.looks.clone(), &self.edition) else {
             return Some(Narrower::NotRecorded);
         };

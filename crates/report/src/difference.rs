@@ -149,7 +149,7 @@ impl Difference {
                     narrower: after.narrower(before, hazard),
                     ..Row::of(
                         hazard,
-                        if after.would_tell(before, hazard) { Change::Fixed } else { Change::NotFoundAgain },
+                        if after.would_report(before, hazard) { Change::Fixed } else { Change::NotFoundAgain },
                     )
                 },
             })

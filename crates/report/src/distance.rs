@@ -62,7 +62,7 @@ pub struct Safeguard {
     /// T: both together, s.
     pub t_s: Option<f64>,
     /// The ways past it, that with the least room first.
-    pub ways: Vec<Way>,
+    pub ways: Vec<ApproachPath>,
     /// How much farther it is than S on the way with the least room, mm; negative where it is nearer. Where something is not known, S
     /// is the least that it can be.
     pub margin_mm: Option<i64>,
@@ -83,7 +83,7 @@ pub struct Stopped {
 
 /// A way past a safeguard to the robots.
 #[derive(Clone, Debug, Serialize, JsonSchema)]
-pub struct Way {
+pub struct ApproachPath {
     /// How somebody comes: through it, over it, into it and so on.
     pub how: String,
     /// Clause of the standard.

@@ -1,7 +1,7 @@
 //! What people do in an action, in words: of one person, or of two by their names.
 
 use crate::human::{Action, Who};
-use fmi_hazard_record::worked::ControlRecord;
+use fmi_hazard_record::operated::ControlRecord;
 
 /// Walk and posture: "walks straight ahead, bent forward"; of two people what each does.
 #[must_use]

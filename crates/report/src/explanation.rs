@@ -11,12 +11,12 @@ use crate::human::{Action, Who};
 use crate::standards::iso_ts_15066 as limits;
 use crate::standards::provenance::Table;
 use crate::standards::tables::tables;
-use fmi_hazard_record::advice::{self, Remedy};
+use fmi_hazard_record::advice::{self, RiskReduction};
 use fmi_hazard_record::hazard::Hazard;
 use fmi_hazard_record::model::STANDARD_EDITION;
+use fmi_hazard_record::operated::OperatedControl;
 use fmi_hazard_record::paragraph::{wrapped, wrapped_under};
 use fmi_hazard_record::people::SecondRecord;
-use fmi_hazard_record::worked::Working;
 
 /// Everything that is told about a hazard.
 #[derive(Clone, Debug, Serialize, JsonSchema)]
@@ -39,7 +39,7 @@ pub struct Explanation {
     /// The robot that hits.
     pub robot: Robot,
     /// What was tried against it; empty if nothing was.
-    pub remedies: Vec<Remedy>,
+    pub remedies: Vec<RiskReduction>,
 }
 
 /// What a sensor reports on the way.
@@ -259,7 +259,12 @@ impl Reports {
 }
 
 /// Equal actions together, with the time at which they begin.
-fn steps(actions: &[Action], worked: &[Working], names: Option<&[String; 2]>, action_s: f64) -> Vec<(f64, String)> {
+fn steps(
+    actions: &[Action],
+    worked: &[OperatedControl],
+    names: Option<&[String; 2]>,
+    action_s: f64,
+) -> Vec<(f64, String)> {
     let turns = |action: &Action| Who::ALL.into_iter().any(|who| action.of(who).walk().turn_eighths() != 0);
     let mut steps: Vec<(usize, usize, Action)> = Vec::new();
     for (number, action) in actions.iter().enumerate() {

@@ -4,10 +4,10 @@
 use svg::Document;
 use svg::node::element::{Circle, ClipPath, Definitions, Group, Line, Path, Pattern, Polygon, Rectangle, Text, Title};
 
-use super::topview::Point;
-use super::whole::Whole;
+use super::floor_map::FloorMap;
+use super::top_view::Point;
 use crate::hazard::Class;
-use fmi_hazard_record::anywhere::Place;
+use fmi_hazard_record::reachability::HarmfulPose;
 
 /// The longer side of the map, and the widest scale, pixels and pixels per metre.
 const MAP: f64 = 860.0;
@@ -68,7 +68,7 @@ fn rounded(value: f64) -> f64 {
 }
 
 impl View {
-    fn new(whole: &Whole<'_>, plan: &Plan) -> Self {
+    fn new(whole: &FloorMap<'_>, plan: &Plan) -> Self {
         let corners = |all: &[[f64; 4]]| all.iter().flat_map(|[a, b, c, d]| [[*a, *b], [*c, *d]]).collect::<Vec<_>>();
         let mut needed = corners(&whole.ground.swept_m);
         needed.extend(whole.floor.iter().map(|cell| cell.xy_m).chain(whole.open_m.iter().copied()));
@@ -150,7 +150,7 @@ fn colour(ratio: f64) -> &'static str {
 
 /// The picture.
 #[must_use]
-pub fn render(whole: &Whole<'_>, plan: &Plan) -> String {
+pub fn render(whole: &FloorMap<'_>, plan: &Plan) -> String {
     let view = View::new(whole, plan);
     let (legend, below) = legend(whole, plan, LEFT + view.width() + 36.0);
     let width = (LEFT + view.width() + 36.0 + LEGEND).ceil();
@@ -197,7 +197,7 @@ fn definitions(view: &View) -> Definitions {
     Definitions::new().add(stripes).add(unlooked).add(ClipPath::new().set("id", "frame").add(frame))
 }
 
-fn map(whole: &Whole<'_>, plan: &Plan, view: &View) -> Group {
+fn map(whole: &FloorMap<'_>, plan: &Plan, view: &View) -> Group {
     let edge = whole.cell_m;
     let frame = Rectangle::new().set("width", rounded(view.width())).set("height", rounded(view.height()));
     let mut inside = Group::new()
@@ -271,7 +271,7 @@ fn axes(view: &View, mut group: Group) -> Group {
 }
 
 /// The worst ways to be hit, by number.
-fn marks(whole: &Whole<'_>, view: &View) -> Group {
+fn marks(whole: &FloorMap<'_>, view: &View) -> Group {
     let mut group = Group::new();
     let places: Vec<_> = whole.places.iter().take(NUMBERED).collect();
     // Nothing of one is over another.
@@ -311,7 +311,7 @@ fn marks(whole: &Whole<'_>, view: &View) -> Group {
 }
 
 /// A way to be hit, in words.
-fn way(place: &Place) -> String {
+fn way(place: &HarmfulPose) -> String {
     // No place is at minus zero.
     let hundredths = |at: Point| at.map(|value| (value * 100.0).round() / 100.0 + 0.0);
     let [x, y] = hundredths(place.xy_m);
@@ -334,7 +334,7 @@ fn way(place: &Place) -> String {
 }
 
 /// What everything means, and the worst ways; how far down it gets.
-fn legend(whole: &Whole<'_>, plan: &Plan, left: f64) -> (Group, f64) {
+fn legend(whole: &FloorMap<'_>, plan: &Plan, left: f64) -> (Group, f64) {
     let mut group = Group::new();
     let mut y = 6.0;
     let row = |group: Group, y: &mut f64, box_: Rectangle, words: &str| {
@@ -411,9 +411,9 @@ fn legend(whole: &Whole<'_>, plan: &Plan, left: f64) -> (Group, f64) {
 
 #[cfg(test)]
 mod tests {
-    use super::super::whole::tests::{squares, whole};
+    use super::super::floor_map::tests::{squares, whole};
     use super::*;
-    use fmi_hazard_record::anywhere::Ground;
+    use fmi_hazard_record::reachability::Ground;
 
     #[test]
     fn names_are_escaped_and_every_square_is_drawn_in_its_colour() {
@@ -451,7 +451,7 @@ mod tests {
         };
         let drawn = |not_looked_at_m: &[[f64; 4]], ground: &Ground| {
             let looked_at = not_looked_at_m.is_empty() && !ground.is_empty();
-            render(&Whole { not_looked_at_m, looked_at, ..whole(&floor, Vec::new(), ground) }, &Plan::default())
+            render(&FloorMap { not_looked_at_m, looked_at, ..whole(&floor, Vec::new(), ground) }, &Plan::default())
         };
         let whole = drawn(&[], &ground);
         assert!(

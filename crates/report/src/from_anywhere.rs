@@ -2,16 +2,16 @@
 
 use std::fmt::Write as _;
 
-use super::resting::rests_on;
+use super::basis::rests_on;
 use super::terminal::cards;
 use super::view::View;
-use fmi_hazard_record::anywhere::Anywhere;
 use fmi_hazard_record::model::{Headline, ScanReport};
 use fmi_hazard_record::paragraph::wrapped_to;
+use fmi_hazard_record::reachability::ReachabilityResult;
 
 /// For people. `report` is the record of the same scan.
 #[must_use]
-pub fn render(anywhere: &Anywhere, report: &ScanReport, view: View) -> String {
+pub fn render(anywhere: &ReachabilityResult, report: &ScanReport, view: View) -> String {
     let mut text = String::new();
     let width = view.width;
     let Headline { says, covers } = &report.headline;

@@ -15,15 +15,16 @@
 //! - [`from_anywhere`]: what is known of people who come from anywhere, at a terminal
 //! - [`distance`]: safeguards and their distances
 //! - [`covered`]: what a search covered, in sentences
-//! - `resting`: what a result rests on, in words
+//! - `basis`: what a result rests on, in words
 //! - [`terminal`], [`view`]: the table on the terminal, and how it is shown
-//! - [`topview`]: an SVG of the cell from above with one hazard in it
-//! - [`whole`], [`floorplan`]: the floor for these, as data and as an SVG
-//! - [`survey`], [`survey_pictures`], [`survey_page`]: many scans together, as data, as SVG and as a page
+//! - [`top_view`]: an SVG of the cell from above with one hazard in it
+//! - [`floor_map`], [`floorplan`]: the floor for these, as data and as an SVG
+//! - [`survey`], [`survey_charts`], [`survey_page`]: many scans together, as data, as SVG and as a page
 
 pub mod assessment;
 pub(crate) mod assumptions;
 pub mod baseline;
+mod basis;
 mod columns;
 pub(crate) mod covered;
 pub mod csv;
@@ -31,23 +32,22 @@ pub mod difference;
 pub mod distance;
 pub(crate) mod does;
 pub mod explanation;
+pub mod floor_map;
 pub mod floorplan;
 pub(crate) mod foxglove;
 pub mod from_anywhere;
 pub mod junit;
 pub mod mcap;
 pub mod page;
-mod resting;
 pub mod sarif;
 pub mod survey;
+pub mod survey_charts;
 pub mod survey_page;
-pub mod survey_pictures;
 pub mod terminal;
-pub mod topview;
+pub mod top_view;
 pub mod trace;
 pub mod verified;
 pub mod view;
-pub mod whole;
 pub(crate) mod words;
 
 pub use columns::columns;

@@ -11,9 +11,9 @@ use serde::{Serialize, Serializer};
 
 use super::assessment::Assessments;
 use super::assumptions::assumptions;
-use super::whole::Whole;
+use super::floor_map::FloorMap;
 use super::words::Words;
-use fmi_hazard_record::anywhere::Anywhere;
+use fmi_hazard_record::reachability::ReachabilityResult;
 
 /// What the viewer is built to.
 const SCRIPT: &str = include_str!("viewer/viewer.js");
@@ -36,7 +36,7 @@ struct Data<'a, S> {
     replays: String,
     /// The map of the floor, where people come from anywhere.
     #[serde(skip_serializing_if = "Option::is_none")]
-    whole: Option<Whole<'a>>,
+    whole: Option<FloorMap<'a>>,
 }
 
 /// The cell.
@@ -56,7 +56,7 @@ pub struct Scenery {
     pub links: Vec<LinkShape>,
     /// What some of them look like, packed as replays are.
     #[serde(serialize_with = "packed_list", skip_serializing_if = "Vec::is_empty")]
-    pub looks: Vec<LinkLook>,
+    pub looks: Vec<LinkVisual>,
     /// The parts of the body.
     pub body: Vec<PartShape>,
     /// The arms.
@@ -148,7 +148,7 @@ pub enum LinkShape {
 
 /// What a link looks like: more than its shape, which is what is hit.
 #[derive(Clone, Debug, Serialize)]
-pub struct LinkLook {
+pub struct LinkVisual {
     /// Number of the link, whose shape it turns with.
     pub link: usize,
     /// Corners in the frame of that shape.
@@ -248,7 +248,7 @@ pub struct Replay {
     pub body: Floats,
     /// Where obstacles are that follow the FMU.
     #[serde(skip_serializing_if = "Vec::is_empty")]
-    pub moved: Vec<Moved>,
+    pub moved: Vec<MovedObstacle>,
     /// The same of another person, who is not hit; empty if there is none.
     #[serde(skip_serializing_if = "Floats::is_empty")]
     pub beside: Floats,
@@ -272,9 +272,9 @@ pub struct Replay {
     /// What a hit of this link at that speed on this region would be, relative to its limit, wherever the person is.
     pub force_ratio: Floats,
     /// What the sensors report.
-    pub sensors: Vec<Strip>,
+    pub sensors: Vec<SensorTimeline>,
     /// The actions.
-    pub actions: Vec<Begun>,
+    pub actions: Vec<ActionFrame>,
     /// The contact from above, as SVG.
     pub top_view: String,
 }
@@ -290,7 +290,7 @@ pub struct ArmPose {
 
 /// An obstacle that follows the FMU.
 #[derive(Clone, Debug, Serialize)]
-pub struct Moved {
+pub struct MovedObstacle {
     /// Its number among the obstacles.
     pub obstacle: usize,
     /// A digit a frame: 1 where it is there.
@@ -301,7 +301,7 @@ pub struct Moved {
 
 /// A sensor's reports.
 #[derive(Clone, Debug, Serialize)]
-pub struct Strip {
+pub struct SensorTimeline {
     /// Its name.
     pub name: String,
     /// A digit a frame: 1 where it reports the person.
@@ -310,7 +310,7 @@ pub struct Strip {
 
 /// An action.
 #[derive(Clone, Debug, Serialize)]
-pub struct Begun {
+pub struct ActionFrame {
     /// Its name.
     pub name: String,
     /// Frame in which it begins.
@@ -340,9 +340,9 @@ pub fn render(
     assessments: &Assessments,
     cell: &Scenery,
     replays: &[Replay],
-    whole: Option<&Anywhere>,
+    whole: Option<&ReachabilityResult>,
 ) -> std::io::Result<String> {
-    let (replays, whole) = (packed(replays)?, whole.map(Whole::from));
+    let (replays, whole) = (packed(replays)?, whole.map(FloorMap::from));
     let told = serde_json::to_value(scan)?;
     let (assumptions, words) = (assumptions(&told["settings"]), Words::of(&told, &cell.sensors)?);
     let data = Data { format: FORMAT, scan, words, reproduce, assumptions, assessments, cell, replays, whole };

@@ -5,7 +5,7 @@ use std::collections::{BTreeMap, BTreeSet};
 use serde::{Deserialize, Serialize};
 
 use super::columns;
-use fmi_hazard_record::begin::Begin;
+use fmi_hazard_record::begin::InitialConditionRecord;
 use fmi_hazard_record::hazard::Hazard;
 
 /// Version of the format of `campaign.json`.
@@ -50,7 +50,7 @@ pub struct Row {
     /// Number of the beginning, from 1.
     pub beginning: usize,
     /// Where and when the person begins.
-    pub begins: Begin,
+    pub begins: InitialConditionRecord,
     /// How sequences were chosen.
     pub strategy: String,
     /// Seed, if the campaign names any.
@@ -60,12 +60,12 @@ pub struct Row {
     pub folder: String,
     /// What came out.
     #[serde(flatten)]
-    pub outcome: Outcome,
+    pub outcome: ScanOutcome,
 }
 
 /// What came out of a scan.
 #[derive(Clone, Debug, PartialEq, Serialize)]
-pub struct Outcome {
+pub struct ScanOutcome {
     /// In a word.
     pub state: State,
     /// As in its `scan.json`.
@@ -194,7 +194,7 @@ struct Scanned {
 #[derive(Deserialize)]
 struct Subject {
     #[serde(default)]
-    beginning: Option<Begin>,
+    beginning: Option<InitialConditionRecord>,
 }
 
 #[derive(Deserialize)]
@@ -214,7 +214,7 @@ struct Spent {
     fmu_steps: u64,
 }
 
-impl Outcome {
+impl ScanOutcome {
     /// What a `scan.json` says.
     ///
     /// # Errors
@@ -507,7 +507,7 @@ pub(super) mod tests {
     /// A scan of the cell `c` at value `at` of the sweep `w`, from beginning `beginning`.
     pub(crate) fn scanned(at: f64, beginning: usize, state: State, ratio: f64) -> Row {
         let hazards = usize::from(state == State::Hazards);
-        let begins = Begin { xy_m: [0.5, -1.0], heading_deg: 90.0, begins_s: 0.2 * beginning as f64 };
+        let begins = InitialConditionRecord { xy_m: [0.5, -1.0], heading_deg: 90.0, begins_s: 0.2 * beginning as f64 };
         let spot = Spot { id: format!("H-{beginning}"), xy_m: [0.1 * beginning as f64, -0.5], time_s: 1.0, ratio };
         let worst = Worst { id: spot.id.clone(), ratio, body_region: "neck".into(), robot_link: "a<b".into() };
         Row {
@@ -521,7 +521,7 @@ pub(super) mod tests {
             strategy: "exhaustive".to_owned(),
             seed: None,
             folder: "scans/0001".to_owned(),
-            outcome: Outcome {
+            outcome: ScanOutcome {
                 state,
                 verdict: String::new(),
                 complete: state != State::Open,

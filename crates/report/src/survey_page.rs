@@ -3,7 +3,7 @@
 use std::fmt::Write as _;
 
 use super::survey::{State, Survey};
-use super::survey_pictures::Picture;
+use super::survey_charts::Chart;
 
 /// Most scans in the page; the others are in `campaign.csv`.
 const MOST: usize = 2000;
@@ -16,7 +16,7 @@ svg{max-width:100%;height:auto}figcaption{color:#566273}";
 
 /// The page.
 #[must_use]
-pub fn render(survey: &Survey, pictures: &[Picture]) -> String {
+pub fn render(survey: &Survey, pictures: &[Chart]) -> String {
     let name = escaped(&survey.campaign);
     let mut page = format!(
         "<!doctype html>\n<html lang=\"en\"><head><meta charset=\"utf-8\"><title>{name}: campaign</title>\
@@ -110,7 +110,7 @@ fn escaped(text: &str) -> String {
 #[cfg(test)]
 mod tests {
     use super::super::survey::tests::survey;
-    use super::super::survey_pictures::all;
+    use super::super::survey_charts::all;
     use super::*;
 
     #[test]

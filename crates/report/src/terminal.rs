@@ -2,8 +2,8 @@
 
 use std::fmt::Write as _;
 
+use super::basis::rests_on;
 use super::covered::{self, Bounds, NO_SENSORS};
-use super::resting::rests_on;
 use super::view::View;
 use crate::human::Action;
 use fmi_hazard_record::cause::{Cause, Change, NO_CHANGE, TRIED_IN_PART};

@@ -18,7 +18,7 @@ pub struct Verified {
     /// As it was recorded.
     pub hazard: Hazard,
     /// What became of it.
-    pub outcome: Outcome,
+    pub outcome: VerifiedOutcome,
 }
 
 /// The same for programs.
@@ -32,14 +32,14 @@ pub struct Row {
     /// Force relative to the limit, as it was recorded.
     pub ratio: f64,
     /// What became of it.
-    pub outcome: Outcome,
+    pub outcome: VerifiedOutcome,
 }
 
 /// What became of a hazard.
 #[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
 #[serde(tag = "result", rename_all = "snake_case")]
 #[schemars(rename = "VerifiedOutcome")]
-pub enum Outcome {
+pub enum VerifiedOutcome {
     /// Its sequences, from where and when they began, end without an unsafe contact. Others may lead to the same hazard.
     Fixed,
     /// Somebody has no room any more where it begins: nothing is known of who begins elsewhere.
@@ -79,7 +79,7 @@ pub enum Outcome {
     },
 }
 
-impl Outcome {
+impl VerifiedOutcome {
     /// How it stands.
     #[must_use]
     pub const fn standing(&self) -> Standing {

@@ -9,6 +9,7 @@
 //! looks at a clock. [`walks`] tries that out.
 
 pub mod answers;
+pub mod covers;
 pub mod decided;
 pub mod net;
 pub(crate) mod shows;
@@ -44,21 +45,21 @@ pub trait Machine {
     }
 
     /// Whether two things that are shown may be the same, but for what rounding does.
-    fn alike(&self, one: Shown, other: Shown) -> bool;
+    fn alike(&self, one: OutputClass, other: OutputClass) -> bool;
     /// The same, whatever is on its way that does not show yet.
-    fn look_alike(&self, one: Shown, other: Shown) -> bool {
+    fn look_alike(&self, one: OutputClass, other: OutputClass) -> bool {
         self.alike(one, other)
     }
 
     /// Whether something that is shown is what may be shown in place of the middle one of three that follow one another, where rounding
     /// decides in which of two steps something switches.
-    fn switches(&self, one: Shown, among: [Shown; 3]) -> bool;
+    fn switches(&self, one: OutputClass, among: [OutputClass; 3]) -> bool;
 
     /// The state at the start, and what it shows.
     ///
     /// # Errors
     /// When it cannot be begun.
-    fn begin(&mut self) -> Result<(Self::State, Shown), Self::Error>;
+    fn begin(&mut self) -> Result<(Self::State, OutputClass), Self::Error>;
 
     /// Holds readings for some steps each: what is shown after each step, and the state after the last. Nothing where some could not be
     /// finished.
@@ -114,10 +115,10 @@ pub enum Begins<'a, S> {
 }
 
 /// The number of what is shown: the same for states that show the same.
-pub type Shown = u32;
+pub type OutputClass = u32;
 
 /// What is shown after each step, and the state after the last.
-pub type Held<S> = (Vec<Shown>, S);
+pub type Held<S> = (Vec<OutputClass>, S);
 
 /// The same of several holds; nothing where some could not be finished.
 pub type AllHeld<S> = Option<Vec<Held<S>>>;
@@ -141,7 +142,7 @@ pub fn longest(held: &[usize]) -> usize {
 
 /// Why no more behaviours were looked for.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Ended {
+pub enum BehaviourSearchEnd {
     /// There are no others, however long readings change.
     Closed,
     /// There are no others within the steps that were asked for.
@@ -167,7 +168,7 @@ pub struct Behaviours {
     /// Where any of these readings may come next: of each reading itself and the others, in order. The same by number.
     coming: Vec<(u32, Vec<usize>)>,
     /// What each behaviour shows.
-    shows: Vec<Shown>,
+    shows: Vec<OutputClass>,
     /// The fewest steps that lead to it, and the last of them: from which one, and the reading.
     depth: Vec<u32>,
     came: Vec<(Number, u32)>,
@@ -176,7 +177,7 @@ pub struct Behaviours {
     /// Successors that were a behaviour which was known.
     pub merged: u64,
     /// Why it ended.
-    pub ended: Ended,
+    pub ended: BehaviourSearchEnd,
 }
 
 impl Behaviours {
@@ -188,7 +189,7 @@ impl Behaviours {
             others.iter().enumerate().map(|(own, others)| others.iter().copied().chain([own]).collect()).collect();
         let first = |set: &BTreeSet<usize>| sets.iter().position(|known| known == set).unwrap_or_default() as u32;
         let coming = sets.iter().map(|set| (first(set), set.iter().copied().collect())).collect();
-        Self { others, coming, shows, depth, came, next, merged: 0, ended: Ended::Closed }
+        Self { others, coming, shows, depth, came, next, merged: 0, ended: BehaviourSearchEnd::Closed }
     }
 
     /// Readings that may come next after one, itself as well, in order; and a number that is the same for the same of them.
@@ -199,7 +200,7 @@ impl Behaviours {
 
     /// Another, which was come to from one by a step with a reading.
     #[expect(clippy::cast_possible_truncation, reason = "fewer than are allowed")]
-    fn add(&mut self, shown: Shown, came: Option<(Number, usize)>) -> Number {
+    fn add(&mut self, shown: OutputClass, came: Option<(Number, usize)>) -> Number {
         let number = self.count() as Number;
         self.shows.push(shown);
         self.depth.push(came.map_or(0, |(before, _)| self.depth[before as usize] + 1));
@@ -225,7 +226,7 @@ impl Behaviours {
 
     /// What one shows.
     #[must_use]
-    pub fn shown(&self, number: Number) -> Shown {
+    pub fn shown(&self, number: Number) -> OutputClass {
         self.shows[number as usize]
     }
 
@@ -274,8 +275,8 @@ impl Behaviours {
 }
 
 /// What is shown while a reading is held from a state on: the next so many steps, and the state after the last of them.
-struct Run<S> {
-    ahead: VecDeque<Shown>,
+struct HeldRun<S> {
+    ahead: VecDeque<OutputClass>,
     tip: S,
 }
 
@@ -284,7 +285,7 @@ struct Open<S> {
     number: Number,
     state: S,
     /// Readings that may come next, in order.
-    runs: Vec<(usize, Run<S>)>,
+    runs: Vec<(usize, HeldRun<S>)>,
 }
 
 /// So many behaviours are gone on from at once.
@@ -318,7 +319,7 @@ impl<'a, M: Machine> Search<'a, M> {
         Self { machine, extent, found, known: BTreeMap::new() }
     }
 
-    fn run(&mut self, tell: &mut dyn FnMut(usize) -> ControlFlow<()>) -> Result<Ended, M::Error> {
+    fn run(&mut self, tell: &mut dyn FnMut(usize) -> ControlFlow<()>) -> Result<BehaviourSearchEnd, M::Error> {
         let (state, shown) = self.machine.begin()?;
         let coming = self.found.coming(0).1.to_vec();
         let hold = |reading: &usize| Hold {
@@ -328,22 +329,24 @@ impl<'a, M: Machine> Search<'a, M> {
             last: false,
         };
         let each: Vec<_> = coming.iter().map(hold).collect();
-        let Some(runs) = self.machine.hold_each(&each)? else { return Ok(Ended::Unfinished) };
+        let Some(runs) = self.machine.hold_each(&each)? else { return Ok(BehaviourSearchEnd::Unfinished) };
         let runs =
-            coming.into_iter().zip(runs).map(|(reading, (ahead, tip))| (reading, Run { ahead: ahead.into(), tip }));
+            coming.into_iter().zip(runs).map(|(reading, (ahead, tip))| (reading, HeldRun { ahead: ahead.into(), tip }));
         let runs: Vec<_> = runs.collect();
         let (first, _) = self.behaviour((0, shown), &runs, None);
         let mut open = VecDeque::from([Open { number: first, state, runs }]);
         while !open.is_empty() {
             if tell(self.found.count()).is_break() {
-                return Ok(Ended::Asked);
+                return Ok(BehaviourSearchEnd::Asked);
             }
             let some: Vec<Open<M::State>> = open.drain(..AT_ONCE.min(open.len())).collect();
-            let Some(held) = self.machine.hold_each(&self.holds(&some))? else { return Ok(Ended::Unfinished) };
+            let Some(held) = self.machine.hold_each(&self.holds(&some))? else {
+                return Ok(BehaviourSearchEnd::Unfinished);
+            };
             let mut held = held.into_iter();
             for one in some {
                 if self.found.depth(one.number) == self.extent.steps {
-                    return Ok(Ended::Steps);
+                    return Ok(BehaviourSearchEnd::Steps);
                 }
                 for (reading, run) in one.runs {
                     let own = held.by_ref().take(2 + self.found.others[reading].len()).collect();
@@ -352,12 +355,12 @@ impl<'a, M: Machine> Search<'a, M> {
                         None => self.found.merged += 1,
                     }
                     if self.found.count() > self.extent.most {
-                        return Ok(Ended::Most);
+                        return Ok(BehaviourSearchEnd::Most);
                     }
                 }
             }
         }
-        Ok(Ended::Closed)
+        Ok(BehaviourSearchEnd::Closed)
     }
 
     /// What is asked of some behaviours: by reading, the state after a step with it; a step more while it is held; and all others that may
@@ -385,7 +388,7 @@ impl<'a, M: Machine> Search<'a, M> {
         &mut self,
         number: Number,
         reading: usize,
-        mut run: Run<M::State>,
+        mut run: HeldRun<M::State>,
         held: Vec<Held<M::State>>,
     ) -> Option<Open<M::State>> {
         let mut held = held.into_iter();
@@ -394,7 +397,7 @@ impl<'a, M: Machine> Search<'a, M> {
         run.tip = tip;
         run.ahead.extend(more);
         let others = self.found.others[reading].iter().copied();
-        let others = others.zip(held).map(|(other, (ahead, tip))| (other, Run { ahead: ahead.into(), tip }));
+        let others = others.zip(held).map(|(other, (ahead, tip))| (other, HeldRun { ahead: ahead.into(), tip }));
         let mut runs: Vec<_> = others.chain([(reading, run)]).collect();
         runs.sort_by_key(|(reading, _)| *reading);
         let (next, is_new) = self.behaviour((reading, shown), &runs, Some((number, reading)));
@@ -404,8 +407,8 @@ impl<'a, M: Machine> Search<'a, M> {
     /// The behaviour that shows this now after a reading, and that while those are held that may follow; whether it is new.
     fn behaviour(
         &mut self,
-        (reading, shown): (usize, Shown),
-        runs: &[(usize, Run<M::State>)],
+        (reading, shown): (usize, OutputClass),
+        runs: &[(usize, HeldRun<M::State>)],
         came: Option<(Number, usize)>,
     ) -> (Number, bool) {
         let now = [self.found.coming(reading).0, shown].into_iter();

@@ -3,8 +3,8 @@
 use std::collections::{BTreeMap, BTreeSet};
 use std::convert::Infallible;
 
-use super::decided::{Question, held_for};
-use super::stays::{Stays, Ways};
+use super::decided::{DecisionLimits, held_for};
+use super::stays::{Stays, Transitions};
 use super::walks::{Style, Walked, walk};
 use super::*;
 use crate::rng::Rng;
@@ -94,15 +94,15 @@ impl Machine for Drive {
         2
     }
 
-    fn alike(&self, one: Shown, other: Shown) -> bool {
+    fn alike(&self, one: OutputClass, other: OutputClass) -> bool {
         one == other
     }
 
-    fn switches(&self, _: Shown, _: [Shown; 3]) -> bool {
+    fn switches(&self, _: OutputClass, _: [OutputClass; 3]) -> bool {
         false
     }
 
-    fn begin(&mut self) -> Result<(State, Shown), Infallible> {
+    fn begin(&mut self) -> Result<(State, OutputClass), Infallible> {
         Ok((Self::START, shown(&Self::START)))
     }
 
@@ -126,7 +126,7 @@ impl Machine for Drive {
 }
 
 /// Where it is and how fast.
-const fn shown(state: &State) -> Shown {
+const fn shown(state: &State) -> OutputClass {
     state.at * (FULL + 1) + state.speed
 }
 
@@ -141,7 +141,7 @@ fn found(memory: Memory, extent: Extent<'_>) -> Behaviours {
 #[test]
 fn every_history_does_what_its_behaviour_says() {
     let behaviours = found(Memory::Nothing, EXTENT);
-    assert_eq!(behaviours.ended, Ended::Closed);
+    assert_eq!(behaviours.ended, BehaviourSearchEnd::Closed);
     let mut layer = BTreeMap::from([(Drive::START, BTreeSet::from([0]))]);
     let mut all: BTreeSet<State> = BTreeSet::new();
     for _ in 0..400 {
@@ -162,7 +162,7 @@ fn every_history_does_what_its_behaviour_says() {
         layer = next;
     }
     // Some states differ in what never shows: how long a drive that stands has been told to.
-    let differ: BTreeSet<Shown> = all.iter().map(shown).collect();
+    let differ: BTreeSet<OutputClass> = all.iter().map(shown).collect();
     assert!(
         differ.len() < behaviours.count() && behaviours.count() <= all.len(),
         "{} {}",
@@ -182,18 +182,18 @@ fn every_history_does_what_its_behaviour_says() {
 fn a_search_may_end_before_all_are_found() {
     let all = found(Memory::Nothing, EXTENT);
     let some = found(Memory::Nothing, Extent { steps: 5, ..EXTENT });
-    assert_eq!(some.ended, Ended::Steps);
+    assert_eq!(some.ended, BehaviourSearchEnd::Steps);
     let near = (0..u32::try_from(all.count()).unwrap()).filter(|number| all.depth(*number) <= 5).count();
     assert_eq!(some.count(), near);
-    assert_eq!(found(Memory::Nothing, Extent { most: 50, ..EXTENT }).ended, Ended::Most);
+    assert_eq!(found(Memory::Nothing, Extent { most: 50, ..EXTENT }).ended, BehaviourSearchEnd::Most);
     let asked = find(&mut Drive(Memory::Nothing), EXTENT, &mut |_| ControlFlow::Break(())).unwrap();
-    assert_eq!(asked.ended, Ended::Asked);
+    assert_eq!(asked.ended, BehaviourSearchEnd::Asked);
 }
 
 /// The first style of which a walk shows that the machine does something else.
 fn caught(memory: Memory, extent: Extent<'_>, walks: usize, steps: usize) -> Option<Style> {
     let behaviours = found(memory, extent);
-    if behaviours.ended != Ended::Closed {
+    if behaviours.ended != BehaviourSearchEnd::Closed {
         return Some(Style::EveryStep);
     }
     let mut rng = Rng::new(5);
@@ -242,7 +242,7 @@ const WAYS: [(usize, &[(usize, usize)]); 4] = [
     (0, &[(1, 0)]),
 ];
 
-impl Ways for Corridor {
+impl Transitions for Corridor {
     fn begins(&self) -> Vec<usize> {
         vec![0]
     }
@@ -324,15 +324,15 @@ impl Machine for Muted {
         3
     }
 
-    fn alike(&self, one: Shown, other: Shown) -> bool {
+    fn alike(&self, one: OutputClass, other: OutputClass) -> bool {
         one == other
     }
 
-    fn switches(&self, _: Shown, _: [Shown; 3]) -> bool {
+    fn switches(&self, _: OutputClass, _: [OutputClass; 3]) -> bool {
         false
     }
 
-    fn begin(&mut self) -> Result<((u32, u32), Shown), Infallible> {
+    fn begin(&mut self) -> Result<((u32, u32), OutputClass), Infallible> {
         Ok(((0, 0), 0))
     }
 
@@ -359,13 +359,13 @@ impl Machine for Muted {
 /// Where each reading is held as long as it takes to show what it alone shows, behaviours are the same as where all are held as long.
 #[test]
 fn only_what_shows_late_is_held_for_long() {
-    let question = Question { step_s: 0.02, steps: 400, most: 100_000, times_held: 1 };
+    let question = DecisionLimits { step_s: 0.02, steps: 400, most: 100_000, times_held: 1 };
     let (shows, held) = held_for(&mut Muted, question, &mut Rng::new(1)).unwrap().unwrap();
     assert!(held[2] >= 40 && held[..2] == [25; 2], "{shows:?} {held:?}");
     let count = |held: &[usize]| {
         let extent = Extent { held, steps: usize::MAX, most: 100_000 };
         let found = find(&mut Muted, extent, &mut |_| ControlFlow::Continue(())).unwrap();
-        assert_eq!(found.ended, Ended::Closed);
+        assert_eq!(found.ended, BehaviourSearchEnd::Closed);
         found.count()
     };
     assert!(count(&held) == count(&[60; 3]) && count(&[25; 3]) < count(&held), "{held:?}");

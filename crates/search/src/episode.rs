@@ -21,19 +21,19 @@ pub(crate) struct Episode {
 
 /// Ways that have been gone.
 #[derive(Clone, Debug)]
-pub(crate) struct Trodden<S> {
+pub(crate) struct EpisodeTree<S> {
     /// States on the way and the reward until there, by the actions that lead there.
     states: BTreeMap<Vec<usize>, (S, f64)>,
     ended: BTreeSet<Vec<usize>>,
 }
 
-impl<S> Default for Trodden<S> {
+impl<S> Default for EpisodeTree<S> {
     fn default() -> Self {
         Self { states: BTreeMap::new(), ended: BTreeSet::new() }
     }
 }
 
-impl<S: Clone> Trodden<S> {
+impl<S: Clone> EpisodeTree<S> {
     /// Whether an episode with these actions has been run; it may have ended before the last of them.
     #[must_use]
     pub(crate) fn is_known(&self, actions: &[usize]) -> bool {

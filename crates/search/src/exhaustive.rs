@@ -83,7 +83,7 @@ pub enum Of {
 
 /// What the sequences met that lead to a state which is expanded.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Before {
+pub enum PriorState {
     /// Nothing unsafe.
     Safe,
     /// All of them something unsafe: what is asked is what comes behind it alone.
@@ -130,7 +130,7 @@ pub trait Expansion {
     fn expand(
         &mut self,
         depth: usize,
-        states: &[(&Self::State, Before)],
+        states: &[(&Self::State, PriorState)],
         go_on: &mut dyn FnMut() -> bool,
     ) -> Result<Option<ExpandedBy<Self>>, Self::Error>;
 
@@ -188,7 +188,7 @@ impl Prefixes {
 }
 
 /// An unsafe state and the sequences that meet it first with one action.
-pub struct Met<'a, U> {
+pub struct UnsafePrefix<'a, U> {
     /// The unsafe state.
     pub unsafe_state: U,
     /// The sequences before it.
@@ -198,11 +198,11 @@ pub struct Met<'a, U> {
 }
 
 /// What is told while the search runs.
-pub enum Told<'a, U> {
+pub enum SearchEvent<'a, U> {
     /// Nothing new.
     Working,
     /// An unsafe state.
-    Met(Met<'a, U>),
+    UnsafeState(UnsafePrefix<'a, U>),
     /// Something unsafe that counts no sequence: it does not end them, or comes behind what did.
     Noted {
         /// What it is.
@@ -344,7 +344,7 @@ pub type Look<'a, E> = dyn FnMut(&E, &mut dyn FnMut() -> bool) -> Result<bool, <
 pub fn exhaust<E: Expansion>(
     environment: &mut E,
     budget: Budget,
-    tell: &mut dyn FnMut(Told<'_, E::Unsafe>) -> ControlFlow<()>,
+    tell: &mut dyn FnMut(SearchEvent<'_, E::Unsafe>) -> ControlFlow<()>,
 ) -> Result<Account, E::Error> {
     exhaust_watched(environment, budget, &mut |_, _| Ok(true), tell)
 }
@@ -357,7 +357,7 @@ pub fn exhaust_watched<E: Expansion>(
     environment: &mut E,
     budget: Budget,
     look: &mut Look<'_, E>,
-    tell: &mut dyn FnMut(Told<'_, E::Unsafe>) -> ControlFlow<()>,
+    tell: &mut dyn FnMut(SearchEvent<'_, E::Unsafe>) -> ControlFlow<()>,
 ) -> Result<Account, E::Error> {
     let horizon = environment.horizon();
     let start = environment.start()?;
@@ -398,7 +398,7 @@ struct Search<'a, 'b, E: Expansion> {
     environment: &'a mut E,
     budget: Budget,
     look: &'a mut Look<'b, E>,
-    tell: &'a mut (dyn FnMut(Told<'_, E::Unsafe>) -> ControlFlow<()> + 'b),
+    tell: &'a mut (dyn FnMut(SearchEvent<'_, E::Unsafe>) -> ControlFlow<()> + 'b),
     account: Account,
     /// The next level, by safe sequences.
     next: LevelOf<E::State>,
@@ -447,7 +447,8 @@ impl<E: Expansion> Search<'_, '_, E> {
             if before + self.next.len() > self.budget.states || self.bytes() > self.budget.bytes || spent {
                 return Ok(Some(Stopped::Budget));
             }
-            let before_of = |others: &Option<Prefixes>| if others.is_some() { Before::Either } else { Before::Safe };
+            let before_of =
+                |others: &Option<Prefixes>| if others.is_some() { PriorState::Either } else { PriorState::Safe };
             let states: Vec<_> = chunk.iter().map(|(state, _, others)| (state, before_of(others))).collect();
             let Some(expanded) = self.expand(depth, &states)? else { return Ok(Some(Stopped::Asked)) };
             for ((_, prefixes, others), expanded) in chunk.iter().zip(expanded) {
@@ -455,7 +456,7 @@ impl<E: Expansion> Search<'_, '_, E> {
             }
             let done = (number * together + chunk.len()).min(open.len());
             let cost = self.environment.cost();
-            if (self.tell)(Told::Progress { depth, done, of: open.len(), cost }).is_break() {
+            if (self.tell)(SearchEvent::Progress { depth, done, of: open.len(), cost }).is_break() {
                 return Ok(Some(Stopped::Asked));
             }
         }
@@ -471,21 +472,21 @@ impl<E: Expansion> Search<'_, '_, E> {
             if self.account.behind_cut.is_some() {
                 break;
             }
-            let states: Vec<_> = chunk.iter().map(|(state, _)| (state, Before::Unsafe)).collect();
+            let states: Vec<_> = chunk.iter().map(|(state, _)| (state, PriorState::Unsafe)).collect();
             let Some(expanded) = self.expand(depth, &states)? else { return Ok(Some(Stopped::Asked)) };
             for ((_, prefixes), expanded) in chunk.iter().zip(expanded) {
                 self.take_in(depth, (None, Some(prefixes)), expanded);
             }
-            if (self.tell)(Told::Working).is_break() {
+            if (self.tell)(SearchEvent::Working).is_break() {
                 return Ok(Some(Stopped::Asked));
             }
         }
         Ok(None)
     }
 
-    fn expand(&mut self, depth: usize, states: &[(&E::State, Before)]) -> Result<Option<ExpandedBy<E>>, E::Error> {
+    fn expand(&mut self, depth: usize, states: &[(&E::State, PriorState)]) -> Result<Option<ExpandedBy<E>>, E::Error> {
         let tell = &mut *self.tell;
-        let mut go_on = || tell(Told::Working).is_continue();
+        let mut go_on = || tell(SearchEvent::Working).is_continue();
         if !(self.look)(self.environment, &mut go_on)? {
             return Ok(None);
         }
@@ -507,7 +508,7 @@ impl<E: Expansion> Search<'_, '_, E> {
                 Of::Either => [safe, others].into_iter().flatten().min_by_key(|p| (p.effort, &p.calmest)),
             };
             if let Some(prefixes) = prefixes {
-                let _ = (self.tell)(Told::Noted { unsafe_state: met, prefixes, with_end: of == Of::WithEnd });
+                let _ = (self.tell)(SearchEvent::Noted { unsafe_state: met, prefixes, with_end: of == Of::WithEnd });
             }
         }
         let left = power(self.environment.actions(), self.environment.horizon() - depth - 1);
@@ -525,7 +526,7 @@ impl<E: Expansion> Search<'_, '_, E> {
                     // Of a sequence that is unsafe already nothing more is counted.
                     if let Some(prefixes) = safe {
                         self.account.not_evaluated += &prefixes.count * &left;
-                        let _ = (self.tell)(Told::Failed { reason, action, prefixes });
+                        let _ = (self.tell)(SearchEvent::Failed { reason, action, prefixes });
                     } else {
                         self.account.behind_not_evaluated = true;
                     }
@@ -541,7 +542,8 @@ impl<E: Expansion> Search<'_, '_, E> {
                     }
                     let sequences = &prefixes.count * &left;
                     self.account.hazardous += &sequences;
-                    let _ = (self.tell)(Told::Met(Met { unsafe_state: met, prefixes, sequences }));
+                    let _ =
+                        (self.tell)(SearchEvent::UnsafeState(UnsafePrefix { unsafe_state: met, prefixes, sequences }));
                 }
             }
         }

@@ -62,25 +62,25 @@ impl Expansion for Ring {
     fn expand(
         &mut self,
         depth: usize,
-        states: &[(&i64, Before)],
+        states: &[(&i64, PriorState)],
         go_on: &mut dyn FnMut() -> bool,
     ) -> Result<Option<ExpandedBy<Self>>, ()> {
         if !go_on() {
             return Ok(None);
         }
         self.expanded += states.len();
-        let effect = |field: i64, before: Before, action: usize| match Self::effect(depth, field, action) {
-            Effect::Unsafe { met, .. } if self.goes_on && before != Before::Unsafe => {
+        let effect = |field: i64, before: PriorState, action: usize| match Self::effect(depth, field, action) {
+            Effect::Unsafe { met, .. } if self.goes_on && before != PriorState::Unsafe => {
                 Effect::Unsafe { met, then: Some(action) }
             }
-            Effect::Unsafe { .. } if before == Before::Unsafe => Effect::To(action),
+            Effect::Unsafe { .. } if before == PriorState::Unsafe => Effect::To(action),
             effect => effect,
         };
-        let expand = |field: i64, before: Before| Expanded {
+        let expand = |field: i64, before: PriorState| Expanded {
             next: MOVES.iter().map(|m| (field + m).rem_euclid(11)).collect(),
             effects: (0..MOVES.len()).map(|a| effect(field, before, a)).collect(),
             noted: (0..MOVES.len())
-                .filter(|a| before != Before::Safe && Self::pinches(field, *a))
+                .filter(|a| before != PriorState::Safe && Self::pinches(field, *a))
                 .map(|action| Noted { action, met: (depth, field, action), of: Of::Unsafe })
                 .collect(),
         };
@@ -103,7 +103,7 @@ type Unsafe = BTreeMap<(usize, i64, usize), (u64, u32, Vec<u32>)>;
 fn exhausted(ring: &mut Ring, budget: Budget) -> (Account, Unsafe) {
     let mut met = Unsafe::new();
     let account = exhaust(ring, budget, &mut |told| {
-        if let Told::Met(m) = told {
+        if let SearchEvent::UnsafeState(m) = told {
             let effort = m.prefixes.effort;
             let sequences = u64::try_from(m.sequences).unwrap();
             assert!(met.insert(m.unsafe_state, (sequences, effort, m.prefixes.calmest.clone())).is_none());
@@ -194,7 +194,7 @@ fn what_comes_behind_is_noted_as_in_plain_enumeration_and_counts_nothing() {
         let mut noted: BTreeMap<(usize, i64, usize), (u32, Vec<u32>)> = BTreeMap::new();
         let mut ring = Ring { goes_on: true, ..Ring::new(horizon) };
         let account = exhaust(&mut ring, BUDGET, &mut |told| {
-            if let Told::Noted { unsafe_state, prefixes, with_end } = told {
+            if let SearchEvent::Noted { unsafe_state, prefixes, with_end } = told {
                 assert!(!with_end && prefixes.count == BigUint::ZERO);
                 let one = (prefixes.effort, prefixes.calmest.clone());
                 assert!(noted.insert(unsafe_state, one).is_none(), "told once");
@@ -252,7 +252,7 @@ fn a_budget_or_a_wish_ends_it_with_what_is_known() {
     assert_eq!(account.stopped, Stopped::Budget);
     assert!(account.depth < 8 && account.covered() < account.total);
     let account = exhaust(&mut Ring::new(8), BUDGET, &mut |told| match told {
-        Told::Progress { depth: 3, .. } => ControlFlow::Break(()),
+        SearchEvent::Progress { depth: 3, .. } => ControlFlow::Break(()),
         _ => ControlFlow::Continue(()),
     });
     let account = account.unwrap();
@@ -260,7 +260,7 @@ fn a_budget_or_a_wish_ends_it_with_what_is_known() {
     // In the middle of a level as well: what it had begun is not counted.
     let mut asked = 0;
     let account = exhaust(&mut Ring::new(8), BUDGET, &mut |told| {
-        asked += i32::from(matches!(told, Told::Working));
+        asked += i32::from(matches!(told, SearchEvent::Working));
         if asked > 5 { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }
     });
     let account = account.unwrap();
@@ -272,7 +272,7 @@ fn a_budget_or_a_wish_ends_it_with_what_is_known() {
 fn what_failed_is_told_with_its_calmest_sequence() {
     let mut failed = Vec::new();
     let account = exhaust(&mut Ring::new(4), BUDGET, &mut |told| {
-        if let Told::Failed { reason, action, prefixes } = told {
+        if let SearchEvent::Failed { reason, action, prefixes } = told {
             failed.push((reason, prefixes.calmest.clone(), action));
         }
         ControlFlow::Continue(())

@@ -4,8 +4,8 @@
 //! it. Every fifth sequence is drawn uniformly at random, whatever the others found: for these such statistics hold, and
 //! they see what planning has no reason to look for. Planning learns from all of them.
 
-use super::episode::{Trodden, random_sequence};
-use super::plan::{Imagine, Planner};
+use super::episode::{EpisodeTree, random_sequence};
+use super::plan::{Planner, SurrogateModel};
 use super::{Iteration, Rng, Strategy};
 
 /// One sequence of so many is random.
@@ -16,16 +16,16 @@ const RANDOM_EVERY: usize = 5;
 pub struct Hybrid<S> {
     iterations: usize,
     planner: Planner,
-    trodden: Trodden<S>,
+    trodden: EpisodeTree<S>,
 }
 
 impl<S> Default for Hybrid<S> {
     fn default() -> Self {
-        Self { iterations: 0, planner: Planner::default(), trodden: Trodden::default() }
+        Self { iterations: 0, planner: Planner::default(), trodden: EpisodeTree::default() }
     }
 }
 
-impl<E: Imagine> Strategy<E> for Hybrid<E::Snapshot> {
+impl<E: SurrogateModel> Strategy<E> for Hybrid<E::Snapshot> {
     fn name(&self) -> &'static str {
         "hybrid"
     }

@@ -31,7 +31,7 @@ pub mod tracks;
 pub use environment::{End, Environment, Step};
 pub use hybrid::Hybrid;
 pub use mcts_dpw::{MctsDpw, Profile};
-pub use plan::{Imagine, Niche, Plan};
+pub use plan::{EndingKind, Plan, SurrogateModel};
 pub use random::Random;
 pub use rng::Rng;
 

@@ -2,12 +2,12 @@
 //!
 //! The first episode takes the calm action throughout. From then on the environment can say without any simulation
 //! where a sequence *would* meet an unsafe state, if the rest of the world moved as it was seen to move before
-//! ([`Imagine`]). What was imagined counts for nothing until the real simulation has shown it; and a refuted guess is an
+//! ([`SurrogateModel`]). What was imagined counts for nothing until the real simulation has shown it; and a refuted guess is an
 //! observation too, so the next guess is better.
 
 use std::collections::BTreeMap;
 
-use super::episode::{Episode, Trodden, random_sequence};
+use super::episode::{Episode, EpisodeTree, random_sequence};
 use super::{End, Environment, Iteration, Rng, Strategy};
 
 /// Most sequences imagined for one that is run, as long as no unsafe state was met.
@@ -16,34 +16,34 @@ pub(crate) const IMAGINED_BEFORE: usize = 400;
 /// The same from then on: kinds of endings not promised yet become rare, and imagining is cheap but not free.
 pub(crate) const IMAGINED_AFTER: usize = 12;
 
-/// What imagining may cost for one sequence that is run, in units of what running costs: [`Imagine::imagine`] says nothing more then. In
+/// What imagining may cost for one sequence that is run, in units of what running costs: [`SurrogateModel::imagine`] says nothing more then. In
 /// the example cells it is not reached, at most half of it; with links of thousands of corners a few hundred sequences took minutes.
-pub(crate) const IMAGINING_BUDGET: u64 = 400_000;
+pub(crate) const ROLLOUT_BUDGET: u64 = 400_000;
 
 /// What kind of ending an unsafe state is. Opaque to a search: equal numbers are the same kind.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
-pub struct Niche(pub [i64; 5]);
+pub struct EndingKind(pub [i64; 5]);
 
 /// An unsafe state that was imagined.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Vision {
+pub struct PredictedHazard {
     /// The actions until there.
     pub actions: Vec<usize>,
     /// What kind of ending that would be.
-    pub niche: Niche,
+    pub niche: EndingKind,
 }
 
 /// What an imagined sequence leads to.
 #[derive(Clone, Debug, Default, PartialEq)]
-pub struct Imagined {
+pub struct Rollout {
     /// Unsafe states that the sequence meets, or would meet if one of its actions were a related one.
-    pub visions: Vec<Vision>,
+    pub visions: Vec<PredictedHazard>,
     /// Whether everything on the way was observed before, so that nothing could be learnt about it.
     pub exact: bool,
 }
 
 /// An environment that can imagine what a sequence would lead to.
-pub trait Imagine: Environment {
+pub trait SurrogateModel: Environment {
     /// The action that disturbs the least.
     fn calm(&self) -> usize;
 
@@ -53,7 +53,7 @@ pub trait Imagine: Environment {
 
     /// What a sequence from the start would lead to, from outputs observed since the strategy began and nothing else.
     /// Nothing is simulated. Nothing more is told, and nothing is exact, once it costs more than it may.
-    fn imagine(&mut self, actions: &[usize]) -> Imagined;
+    fn imagine(&mut self, actions: &[usize]) -> Rollout;
 
     /// Whether it has cost more than it may.
     fn is_over_budget(&self) -> bool;
@@ -66,7 +66,7 @@ pub(crate) struct Planner {
     /// An unsafe state was met.
     met: bool,
     /// How often a kind of ending was promised by a sequence that was then run.
-    promised: BTreeMap<Niche, u32>,
+    promised: BTreeMap<EndingKind, u32>,
 }
 
 /// A sequence to run.
@@ -97,20 +97,20 @@ impl Planner {
     }
 
     /// Imagines random sequences until one promises what none promised before, or there were enough, or they cost more than
-    /// [`IMAGINING_BUDGET`]; then the one whose promise was made least often. No sequence that was run is proposed again.
-    pub(crate) fn propose<E: Imagine>(
+    /// [`ROLLOUT_BUDGET`]; then the one whose promise was made least often. No sequence that was run is proposed again.
+    pub(crate) fn propose<E: SurrogateModel>(
         &mut self,
         environment: &mut E,
-        trodden: &Trodden<E::Snapshot>,
+        trodden: &EpisodeTree<E::Snapshot>,
         rng: &mut Rng,
     ) -> Proposal {
         if !self.started {
             self.started = true;
             return Proposal::Unknown(vec![environment.calm(); environment.horizon()]);
         }
-        let mut best: Option<(u32, Vec<usize>, Niche)> = None;
+        let mut best: Option<(u32, Vec<usize>, EndingKind)> = None;
         let (mut unknown, mut any) = (None, Vec::new());
-        environment.begin_imagining(IMAGINING_BUDGET);
+        environment.begin_imagining(ROLLOUT_BUDGET);
         for _ in 0..if self.met { IMAGINED_AFTER } else { IMAGINED_BEFORE } {
             let sequence = random_sequence(environment, rng);
             let imagined = environment.imagine(&sequence);
@@ -151,16 +151,16 @@ impl Planner {
 #[derive(Clone, Debug)]
 pub struct Plan<S> {
     planner: Planner,
-    trodden: Trodden<S>,
+    trodden: EpisodeTree<S>,
 }
 
 impl<S> Default for Plan<S> {
     fn default() -> Self {
-        Self { planner: Planner::default(), trodden: Trodden::default() }
+        Self { planner: Planner::default(), trodden: EpisodeTree::default() }
     }
 }
 
-impl<E: Imagine> Strategy<E> for Plan<E::Snapshot> {
+impl<E: SurrogateModel> Strategy<E> for Plan<E::Snapshot> {
     fn name(&self) -> &'static str {
         "plan"
     }

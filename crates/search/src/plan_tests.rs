@@ -96,7 +96,7 @@ impl Environment for Guarded {
     }
 }
 
-impl Imagine for Guarded {
+impl SurrogateModel for Guarded {
     fn calm(&self) -> usize {
         0
     }
@@ -106,11 +106,11 @@ impl Imagine for Guarded {
     fn is_over_budget(&self) -> bool {
         self.budget == 0
     }
-    fn imagine(&mut self, actions: &[usize]) -> Imagined {
+    fn imagine(&mut self, actions: &[usize]) -> Rollout {
         self.imagined += 1;
         self.budget = self.budget.saturating_sub(self.costs);
         if self.is_over_budget() {
-            return Imagined::default();
+            return Rollout::default();
         }
         let fields = Self::fields(actions);
         let pulled = Self::pulled(&fields);
@@ -118,8 +118,9 @@ impl Imagine for Guarded {
         let calm = Vec::new();
         let guard = self.seen.get(&pulled).or_else(|| self.seen.get(&usize::MAX)).unwrap_or(&calm);
         let meets = fields.iter().zip(guard).position(|(f, g)| Self::meets(*f, *g));
-        let vision = |i: usize| Vision { actions: actions[..=i].to_vec(), niche: Niche([fields[i], 0, 0, 0, 0]) };
-        Imagined { visions: meets.into_iter().map(vision).collect(), exact }
+        let vision =
+            |i: usize| PredictedHazard { actions: actions[..=i].to_vec(), niche: EndingKind([fields[i], 0, 0, 0, 0]) };
+        Rollout { visions: meets.into_iter().map(vision).collect(), exact }
     }
 }
 
@@ -151,7 +152,7 @@ fn needs_far_fewer_episodes_than_random_search() {
 #[test]
 fn promises_of_a_new_kind_come_first_and_nothing_is_run_twice() {
     let (mut guarded, mut rng) = (Guarded::new(), Rng::new(7));
-    let (mut planner, mut trodden) = (Planner::default(), Trodden::default());
+    let (mut planner, mut trodden) = (Planner::default(), EpisodeTree::default());
     let mut promised = Vec::new();
     for _ in 0..40 {
         let proposal = planner.propose(&mut guarded, &trodden, &mut rng);
@@ -168,8 +169,8 @@ fn promises_of_a_new_kind_come_first_and_nothing_is_run_twice() {
 
 #[test]
 fn who_cannot_afford_to_imagine_runs_something_new_all_the_same() {
-    let (mut guarded, mut rng) = (Guarded { costs: IMAGINING_BUDGET, ..Guarded::new() }, Rng::new(3));
-    let (mut planner, mut trodden) = (Planner::default(), Trodden::default());
+    let (mut guarded, mut rng) = (Guarded { costs: ROLLOUT_BUDGET, ..Guarded::new() }, Rng::new(3));
+    let (mut planner, mut trodden) = (Planner::default(), EpisodeTree::default());
     for k in 0..20 {
         let proposal = planner.propose(&mut guarded, &trodden, &mut rng);
         // One sequence each time but the first.

@@ -26,7 +26,7 @@ const ALPHA: f64 = 0.05;
 
 /// What a random sequence ended in.
 #[derive(Clone, Debug, PartialEq, Eq)]
-pub enum Met<G> {
+pub enum SampleEnd<G> {
     /// No unsafe state.
     Nothing,
     /// An unsafe state of this group.
@@ -83,19 +83,19 @@ impl<G: Ord> RandomSample<G> {
     }
 
     /// Takes in a random sequence.
-    pub fn observe(&mut self, met: Met<G>) {
+    pub fn observe(&mut self, met: SampleEnd<G>) {
         self.sequences += 1;
         let unlisted = match (&met, &self.list) {
-            (Met::Nothing, _) | (_, None) => false,
-            (Met::Unknown, Some(_)) => true,
-            (Met::Group(group), Some(list)) => !list.contains(group),
+            (SampleEnd::Nothing, _) | (_, None) => false,
+            (SampleEnd::Unknown, Some(_)) => true,
+            (SampleEnd::Group(group), Some(list)) => !list.contains(group),
         };
         self.checked += u64::from(self.list.is_some());
         self.unlisted += u64::from(unlisted);
         match met {
-            Met::Nothing => {}
-            Met::Unknown => self.unknown += 1,
-            Met::Group(group) => {
+            SampleEnd::Nothing => {}
+            SampleEnd::Unknown => self.unknown += 1,
+            SampleEnd::Group(group) => {
                 self.hazardous += 1;
                 *self.times.entry(group).or_default() += 1;
             }

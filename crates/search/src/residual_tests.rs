@@ -54,7 +54,7 @@ fn bounds_hold_as_often_as_they_say_whoever_lengthened_the_list() {
                 let met = draw(&chances, &mut rng);
                 list.extend(met);
                 by_random.extend(met);
-                sample.observe(met.map_or(Met::Nothing, Met::Group));
+                sample.observe(met.map_or(SampleEnd::Nothing, SampleEnd::Group));
             }
             let figures = sample.figures().unwrap();
             let not_on = |list: &BTreeSet<usize>| {
@@ -82,11 +82,18 @@ fn bounds_hold_as_often_as_they_say_whoever_lengthened_the_list() {
 fn figures_by_hand() {
     let mut sample = RandomSample::default();
     assert_eq!(sample.figures(), None);
-    [Met::Group("a"), Met::Nothing, Met::Group("b"), Met::Group("a")].into_iter().for_each(|m| sample.observe(m));
+    [SampleEnd::Group("a"), SampleEnd::Nothing, SampleEnd::Group("b"), SampleEnd::Group("a")]
+        .into_iter()
+        .for_each(|m| sample.observe(m));
     sample.check_against(BTreeSet::from(["a", "b", "found otherwise"]));
-    for met in
-        [Met::Group("found otherwise"), Met::Nothing, Met::Group("new"), Met::Nothing, Met::Unknown, Met::Nothing]
-    {
+    for met in [
+        SampleEnd::Group("found otherwise"),
+        SampleEnd::Nothing,
+        SampleEnd::Group("new"),
+        SampleEnd::Nothing,
+        SampleEnd::Unknown,
+        SampleEnd::Nothing,
+    ] {
         sample.observe(met);
     }
     let f = sample.figures().unwrap();

@@ -70,7 +70,7 @@ pub struct Lasting {
 
 /// A step that may be taken.
 #[derive(Debug)]
-pub struct Taken<'a, S> {
+pub struct PossibleStep<'a, S> {
     /// Number of the step, from 1.
     pub step: usize,
     /// The state after it.
@@ -83,7 +83,7 @@ pub struct Taken<'a, S> {
 
 /// What came out.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub struct Outcome {
+pub struct TrackSearch {
     /// Steps of different tracks.
     pub taken: u64,
     /// Those that could not be finished.
@@ -103,9 +103,9 @@ pub fn explore<W: Watch>(
     watch: &mut W,
     steps: usize,
     changes: usize,
-    tell: &mut dyn FnMut(&mut W, &Taken<'_, W::State>) -> bool,
-) -> Result<Outcome, W::Error> {
-    let mut outcome = Outcome::default();
+    tell: &mut dyn FnMut(&mut W, &PossibleStep<'_, W::State>) -> bool,
+) -> Result<TrackSearch, W::Error> {
+    let mut outcome = TrackSearch::default();
     let start = watch.start()?;
     let mut layer = Layer::default();
     for way in watch.begins() {
@@ -120,7 +120,7 @@ pub fn explore<W: Watch>(
                 outcome.unfinished += 1;
                 continue;
             };
-            if !tell(watch, &Taken { step, state: &state, way, lasting }) {
+            if !tell(watch, &PossibleStep { step, state: &state, way, lasting }) {
                 outcome.ended = true;
                 return Ok(outcome);
             }
@@ -290,7 +290,11 @@ mod tests {
     }
 
     /// The same by tracks: where the walker was at the beginning of a step, and a step on.
-    fn by_tracks(corridor: &mut Corridor, steps: usize, changes: usize) -> (BTreeSet<(usize, usize, usize)>, Outcome) {
+    fn by_tracks(
+        corridor: &mut Corridor,
+        steps: usize,
+        changes: usize,
+    ) -> (BTreeSet<(usize, usize, usize)>, TrackSearch) {
         let mut all = BTreeSet::new();
         let outcome = explore(corridor, steps, changes, &mut |corridor, taken| {
             for cell in 0..corridor.cells.len() {

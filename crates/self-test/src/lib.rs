@@ -12,7 +12,7 @@ use serde::{Deserialize, Serialize};
 
 pub use agreement::{Agreement, Difference};
 pub use motion::{Apart, Motion, Untried};
-pub use rung::Rung;
+pub use rung::StateRestore;
 pub use text::{Said, number};
 
 /// The outcome of the self-test.
@@ -81,14 +81,14 @@ impl SelfTest {
     /// The way of bringing states back that this FMU deserves. `fork_pays` where its actions cost more than a copy of its
     /// process.
     #[must_use]
-    pub fn rung(&self, fork_pays: bool) -> Rung {
+    pub fn rung(&self, fork_pays: bool) -> StateRestore {
         match (&self.restore, &self.fork, &self.deterministic) {
-            (Agreement::Exact, _, Agreement::Exact) => Rung::SavedStates,
-            (_, Agreement::Exact, Agreement::Exact) if fork_pays => Rung::Copies,
-            (_, _, Agreement::Exact) => Rung::Instances,
+            (Agreement::Exact, _, Agreement::Exact) => StateRestore::SavedStates,
+            (_, Agreement::Exact, Agreement::Exact) if fork_pays => StateRestore::Copies,
+            (_, _, Agreement::Exact) => StateRestore::Instances,
             // One instance in a process: its copies do, and so do fresh processes.
-            (_, Agreement::Exact, _) => Rung::Copies,
-            _ => Rung::Processes,
+            (_, Agreement::Exact, _) => StateRestore::Copies,
+            _ => StateRestore::Processes,
         }
     }
 
@@ -102,7 +102,7 @@ impl SelfTest {
 
     /// Why states are brought back as they are.
     #[must_use]
-    pub fn because(&self, rung: Rung) -> String {
+    pub fn because(&self, rung: StateRestore) -> String {
         let saving = match &self.restore {
             Agreement::Exact => "restored exactly",
             Agreement::NotOffered => "the FMU cannot save its state",

@@ -7,7 +7,7 @@ use serde::{Deserialize, Serialize};
 /// A way of bringing states back, the plainest last. With an FMU that keeps its promises only the speed differs.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Serialize, Deserialize)]
 #[serde(rename_all = "snake_case")]
-pub enum Rung {
+pub enum StateRestore {
     /// States saved by the FMU.
     SavedStates,
     /// Copies of the FMU's process.
@@ -18,7 +18,7 @@ pub enum Rung {
     Processes,
 }
 
-impl fmt::Display for Rung {
+impl fmt::Display for StateRestore {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         f.write_str(match self {
             Self::SavedStates => "saved FMU states",

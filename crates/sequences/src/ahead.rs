@@ -7,13 +7,13 @@ use crate::host::Plant;
 use crate::human::walk::WalkTrace;
 use crate::human::{Action, Place, Posture, Presses, Walk, Who};
 use crate::sim::threads::shared_out;
-use crate::sim::world::{Occupant, Places, Sight};
+use crate::sim::world::{Occupant, Places, RawReadings};
 
 /// A way that some of the actions from a place lead.
-pub(super) struct Way {
+pub(super) struct WalkPath {
     pub(super) walked: WalkTrace,
     /// What there is to see on it, for postures that the sensors tell apart.
-    pub(super) sights: Vec<Vec<Sight>>,
+    pub(super) sights: Vec<Vec<RawReadings>>,
 }
 
 /// An action without a control but those of doors, from a place.
@@ -29,15 +29,15 @@ pub(super) struct Move {
 
 /// Where the actions from a place lead, and what there is for the sensors to see on the way.
 pub(super) struct Ahead {
-    pub(super) ways: Vec<Way>,
+    pub(super) ways: Vec<WalkPath>,
     /// In the order of the actions, for each set of doors that are worked.
     pub(super) moves: Vec<(Presses, Vec<Move>)>,
 }
 
 /// Ways that were worked out already.
 #[derive(Default)]
-struct Known {
-    ways: Vec<Way>,
+struct WalkCache {
+    ways: Vec<WalkPath>,
     /// Which of them an action leads that opens and closes these doors.
     leads: Vec<((Walk, Posture, Presses), usize)>,
     /// Which of the sights of a way there is to see in a posture.
@@ -46,7 +46,7 @@ struct Known {
 
 impl Ahead {
     fn new(own: &Occupant, place: Place) -> Self {
-        let mut known = Known::default();
+        let mut known = WalkCache::default();
         let sets = Presses::all(if own.doors().is_none() { 0 } else { Presses::MOST });
         let doors = sets.filter(|doors| doors.common(own.doors()) == *doors);
         let moves = doors.map(|doors| (doors, Self::moves(own, place, doors, &mut known))).collect();
@@ -59,8 +59,8 @@ impl Ahead {
         moves[number % moves.len()]
     }
 
-    fn moves(own: &Occupant, place: Place, doors: Presses, known: &mut Known) -> Vec<Move> {
-        let Known { ways, leads, shows } = known;
+    fn moves(own: &Occupant, place: Place, doors: Presses, known: &mut WalkCache) -> Vec<Move> {
+        let WalkCache { ways, leads, shows } = known;
         let repertoire = &own.cell.repertoire;
         let mut moves = Vec::with_capacity(repertoire.moves());
         let controls = (0..own.cell.controls.len()).map(Presses::one);
@@ -76,11 +76,11 @@ impl Ahead {
                     Some((_, way)) => *way,
                     None => {
                         leads.push((goes_as, ways.len()));
-                        ways.push(Way { walked: own.walk(place, taken.pressing(doors)), sights: Vec::new() });
+                        ways.push(WalkPath { walked: own.walk(place, taken.pressing(doors)), sights: Vec::new() });
                         ways.len() - 1
                     }
                 };
-                let Way { walked, sights } = &mut ways[way];
+                let WalkPath { walked, sights } = &mut ways[way];
                 // Hands that get to controls are looked for here, on all threads, and remembered.
                 let _ = own.worked(walked, taken.pressing(all));
                 let seen_as = if own.posture_is_unseen_on(walked) { stands_as } else { taken.posture() };

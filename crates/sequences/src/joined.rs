@@ -4,8 +4,8 @@
 use super::{Pending, State, note_clamping};
 use crate::hazard::Finding;
 use crate::human::{Action, Posture};
-use crate::search::exhaustive::{Before, Expanded, Noted, Of};
-use crate::sim::befallen::{Befallen, Course};
+use crate::search::exhaustive::{Expanded, Noted, Of, PriorState};
+use crate::sim::action_hazards::{ActionHazards, PersonCourse};
 
 /// An action of two people, and the numbers of what is asked about either.
 struct Both {
@@ -27,7 +27,7 @@ pub(super) struct Joined {
 }
 
 /// What was met, by the number of the question.
-pub(super) struct Met(Vec<Course>);
+pub(super) struct CoursesByQuestion(Vec<PersonCourse>);
 
 impl Joined {
     /// Goes on with another state.
@@ -67,13 +67,13 @@ impl Joined {
     /// What becomes of every action.
     pub(super) fn settle(
         self,
-        met: &Met,
-        befores: &[Before],
+        met: &CoursesByQuestion,
+        befores: &[PriorState],
         goes_on: bool,
         expanded: &mut [Expanded<State, Finding>],
     ) {
         for Both { state, index, action, asked } in self.all {
-            let befallen = Befallen::of(asked.iter().map(|number| &met.0[*number]));
+            let befallen = ActionHazards::of(asked.iter().map(|number| &met.0[*number]));
             let in_action = |finding: Finding| Finding { actions: vec![action], ..finding };
             let Expanded { effects, noted, .. } = &mut expanded[state];
             // Where both are hit at once, both is told, and the sequence counts for the first.
@@ -91,14 +91,14 @@ impl Joined {
     }
 }
 
-impl Met {
+impl CoursesByQuestion {
     /// Nothing yet.
     pub(super) fn of(joined: &Joined) -> Self {
-        Self(vec![Course::default(); joined.asked])
+        Self(vec![PersonCourse::default(); joined.asked])
     }
 
     /// What a question met.
-    pub(super) fn course(&mut self, number: usize) -> &mut Course {
+    pub(super) fn course(&mut self, number: usize) -> &mut PersonCourse {
         &mut self.0[number]
     }
 }

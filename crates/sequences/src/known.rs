@@ -6,12 +6,12 @@
 use std::hash::{Hash as _, Hasher as _};
 
 use super::Expander;
-use super::questions::{Out, Question, instants_of};
+use super::questions::{ContactQuestion, Out, instants_of};
 use super::situations::Situation;
 use crate::host::Plant;
 use crate::sim::Coverage;
 use crate::sim::answers::{Digest, Key};
-use crate::sim::world::{Hit, Stance};
+use crate::sim::world::{Hit, PersonState};
 
 /// What is done about a question.
 enum Done {
@@ -28,7 +28,7 @@ impl<P: Plant> Expander<P> {
     pub(super) fn remember(
         &self,
         count: u64,
-        questions: &[Question],
+        questions: &[ContactQuestion],
         situations: &[Situation],
         go_on: &mut dyn FnMut() -> bool,
     ) -> Option<Out> {
@@ -44,14 +44,19 @@ impl<P: Plant> Expander<P> {
     }
 
     /// The answers to questions of which is known which of them find something.
-    fn found_again(&self, found: &[u32], questions: &[Question], situations: &[Situation]) -> Vec<Vec<Option<Hit>>> {
+    fn found_again(
+        &self,
+        found: &[u32],
+        questions: &[ContactQuestion],
+        situations: &[Situation],
+    ) -> Vec<Vec<Option<Hit>>> {
         let mut all: Vec<Vec<Option<Hit>>> = questions.iter().map(|(_, asked)| vec![None; asked.len()]).collect();
         let mut counted = Coverage::new(self.world.cell.sensors.len());
         for number in found.iter().map(|number| *number as usize) {
             let Some((stance, asked)) = questions.get(number) else { continue };
             // All of the stance, as before: what is found for one may follow from what was found for another.
             let mut instants = instants_of(asked, situations);
-            let Ok(hits) = self.world.of_stance(stance).contacts(stance, &mut None, &mut instants, &mut counted);
+            let Ok(hits) = self.world.of_person_state(stance).contacts(stance, &mut None, &mut instants, &mut counted);
             all[number] = hits;
         }
         all
@@ -60,13 +65,13 @@ impl<P: Plant> Expander<P> {
     /// The answers to questions of which not all are worked out here. Those that are left to others find nothing.
     pub(super) fn share_out(
         &self,
-        questions: &[Question],
+        questions: &[ContactQuestion],
         situations: &[Situation],
         go_on: &mut dyn FnMut() -> bool,
     ) -> Option<Out> {
         let done: Vec<Done> = questions.iter().map(|question| self.about(question, situations)).collect();
         let here = questions.iter().zip(&done).filter(|(_, done)| matches!(done, Done::Here(_)));
-        let here: Vec<&Question> = here.map(|(question, _)| question).collect();
+        let here: Vec<&ContactQuestion> = here.map(|(question, _)| question).collect();
         let mut worked_out = self.work_out(&here, true, situations, go_on)?.into_iter();
         let (mut all, mut total) = (Vec::with_capacity(questions.len()), Coverage::new(self.world.cell.sensors.len()));
         for ((_, asked), done) in questions.iter().zip(done) {
@@ -90,10 +95,10 @@ impl<P: Plant> Expander<P> {
     }
 
     /// What is done about a question.
-    fn about(&self, question: &Question, situations: &[Situation]) -> Done {
+    fn about(&self, question: &ContactQuestion, situations: &[Situation]) -> Done {
         let (stance, asked) = question;
         // Nearly all questions are about robots out of reach, and answered as soon as they are asked.
-        let own = self.world.of_stance(stance);
+        let own = self.world.of_person_state(stance);
         let near = |s: &usize| own.near(&stance.place, &situations[*s].frames[situations[*s].i]);
         if !asked.iter().any(near) {
             return Done::Here(None);
@@ -110,7 +115,7 @@ impl<P: Plant> Expander<P> {
 }
 
 /// What answers to these questions follow from: how the person stands, and where and how fast the robots are.
-fn key_of(questions: &[Question], situations: &[Situation]) -> Key {
+fn key_of(questions: &[ContactQuestion], situations: &[Situation]) -> Key {
     let mut digest = Digest::default();
     for (stance, asked) in questions {
         (stance, asked.len()).hash(&mut digest);
@@ -121,7 +126,7 @@ fn key_of(questions: &[Question], situations: &[Situation]) -> Key {
 
 /// What decides who answers a question: where the person stands, and how. Questions of one pose follow each other and
 /// share much of their work.
-fn pose_of(stance: &Stance) -> Key {
+fn pose_of(stance: &PersonState) -> Key {
     let mut digest = Digest::default();
     (stance.who, stance.place, stance.posture).hash(&mut digest);
     digest.key()

@@ -9,7 +9,7 @@
 //! **Equal states.** The person stands at the same place with the same heading, the sensors' delay lines are equal, and
 //! the FMU is in the same state: it had the same inputs, or its serialised state is the same byte for byte. With a plane
 //! (light curtain, door, two-hand control), the states in which the FMU would be had the plane told of an arm are equal as
-//! well, because what an arm meets depends on them (see [`crate::sim::curtain`]). With two planes that an arm may pass at once the
+//! well, because what an arm meets depends on them (see [`crate::sim::detection_plane`]). With two planes that an arm may pass at once the
 //! inputs have to be the same.
 
 mod ahead;
@@ -22,24 +22,24 @@ use std::borrow::Cow;
 use std::collections::{BTreeMap, BTreeSet};
 use std::sync::Arc;
 
-use self::ahead::{Move, Outlook, Way};
-use self::joined::{Joined, Met};
+use self::ahead::{Move, Outlook, WalkPath};
+use self::joined::{CoursesByQuestion, Joined};
 use self::situations::Situations;
 use crate::cell::{Binding, Workcell};
 use crate::hazard::Finding;
 use crate::host::{Advanced, NodeId, Plant, PlantError, Policy, Recall};
 use crate::human::walk::WalkTrace;
 use crate::human::{Action, Place, Presses, Who};
-use crate::search::exhaustive::{Before, Effect, Expanded, Expansion, Noted, Of};
+use crate::search::exhaustive::{Effect, Expanded, Expansion, Noted, Of, PriorState};
 use crate::sim::Coverage;
+use crate::sim::action::{ActionStart, CarriedOut};
+use crate::sim::action_hazards::is_told;
 use crate::sim::answers::Answers;
-use crate::sim::befallen::is_told;
 use crate::sim::bound::RobotBounds;
-use crate::sim::going::{Begin, Gone};
 use crate::sim::motion::Motion;
 use crate::sim::robots::{Robots, Shadow};
 use crate::sim::sensors::DelayLine;
-use crate::sim::world::{Frames, Places, Sensed, Sight, Walks, Worked, World};
+use crate::sim::world::{Frames, InputTrace, OperatedControls, Places, RawReadings, Walks, World};
 
 use fmi_hazard_cell::cell;
 use fmi_hazard_criteria as hazard;
@@ -90,7 +90,7 @@ pub struct Expander<P: Plant> {
 struct Transition {
     node: NodeId,
     frames: Frames,
-    sensed: Sensed,
+    sensed: InputTrace,
     /// Where it leads everybody, where what follows the FMU has that differ from their ways.
     amid: Option<Walks>,
     /// Controls that are worked in it, by any of the actions that it stands for.
@@ -123,7 +123,7 @@ enum Reached {
 }
 
 /// What is seen of each of the people, and what is worked.
-type Key = (usize, Option<usize>, Worked);
+type Key = (usize, Option<usize>, OperatedControls);
 
 /// Actions along one walk from a state. Those that the FMU is told the same of share everything but the contacts.
 #[derive(Default)]
@@ -131,7 +131,7 @@ struct Alike {
     /// By the posture that is seen, and what is worked.
     by_key: Vec<(Key, Reached)>,
     /// By what is told.
-    by_inputs: Vec<(Sensed, Reached)>,
+    by_inputs: Vec<(InputTrace, Reached)>,
 }
 
 impl Alike {
@@ -139,11 +139,11 @@ impl Alike {
         self.by_key.iter().find(|(known, _)| known == key).map(|(_, to)| to.clone())
     }
 
-    fn by_inputs(&self, sensed: &Sensed) -> Option<Reached> {
+    fn by_inputs(&self, sensed: &InputTrace) -> Option<Reached> {
         self.by_inputs.iter().find(|(known, _)| known.same(sensed)).map(|(_, to)| to.clone())
     }
 
-    fn keep(&mut self, key: Key, sensed: Sensed, to: &Reached) {
+    fn keep(&mut self, key: Key, sensed: InputTrace, to: &Reached) {
         self.by_key.push((key, to.clone()));
         if self.by_inputs(&sensed).is_none() {
             self.by_inputs.push((sensed, to.clone()));
@@ -153,8 +153,8 @@ impl Alike {
 
 /// The ways of everybody in an action.
 struct Goes<'a> {
-    first: &'a Way,
-    second: Option<&'a Way>,
+    first: &'a WalkPath,
+    second: Option<&'a WalkPath>,
 }
 
 impl Goes<'_> {
@@ -172,10 +172,10 @@ impl Goes<'_> {
     }
 
     /// What there is to see of everybody, of which these are the sights.
-    fn sights(&self, (own, others): (usize, Option<usize>)) -> Cow<'_, [Sight]> {
+    fn sights(&self, (own, others): (usize, Option<usize>)) -> Cow<'_, [RawReadings]> {
         let own = &self.first.sights[own];
         match self.second.zip(others) {
-            Some((second, others)) => Cow::Owned(Sight::of_either(own, &second.sights[others])),
+            Some((second, others)) => Cow::Owned(RawReadings::of_either(own, &second.sights[others])),
             None => Cow::Borrowed(own),
         }
     }
@@ -284,10 +284,10 @@ impl<P: Plant> Expander<P> {
     fn all_from(
         &mut self,
         depth: usize,
-        states: &[(&State, Before)],
+        states: &[(&State, PriorState)],
         go_on: &mut dyn FnMut() -> bool,
     ) -> Result<Option<Vec<Expanded<State, Finding>>>, PlantError> {
-        let (states, befores): (Vec<&State>, Vec<Before>) = states.iter().copied().unzip();
+        let (states, befores): (Vec<&State>, Vec<PriorState>) = states.iter().copied().unzip();
         let Some(outlook) = self.look_ahead(&states, go_on) else { return Ok(None) };
         let mut joined = Joined::default();
         let (mut pending, mut expanded, mut transitions) = (Vec::new(), Vec::new(), Vec::new());
@@ -306,7 +306,7 @@ impl<P: Plant> Expander<P> {
             Some(walks) => walks.of(p.who).unwrap_or(&nowhere),
             None => ahead(p).map_or(&nowhere, |ahead| &ahead.ways[p.way].walked),
         };
-        let (mut met, goes_on) = (Met::of(&joined), self.world.goes_on());
+        let (mut met, goes_on) = (CoursesByQuestion::of(&joined), self.world.goes_on());
         let mut situations = Situations::default();
         for i in 0..self.world.cell.steps_per_action {
             let asked = self.asked(i, &pending, &transitions, &walked, &mut situations)?;
@@ -320,7 +320,7 @@ impl<P: Plant> Expander<P> {
                 let stance = &questions[q].0;
                 let finding = |hit| {
                     let sensors = self.world.readings(&transition.sensed.readings[i], &transition.frames[i]);
-                    self.world.of_stance(stance).finding(hit, stance, sensors, (depth + 1, i))
+                    self.world.of_person_state(stance).finding(hit, stance, sensors, (depth + 1, i))
                 };
                 let Some(found) = finding(hit) else { return true };
                 let clamping = hit.clamps.as_deref().and_then(finding);
@@ -343,7 +343,7 @@ impl<P: Plant> Expander<P> {
     fn advance(
         &mut self,
         (number, depth): (usize, usize),
-        (state, before): (&State, Before),
+        (state, before): (&State, PriorState),
         outlook: &Outlook,
         pending: &mut Vec<Pending>,
         joined: &mut Joined,
@@ -356,7 +356,7 @@ impl<P: Plant> Expander<P> {
         let ways = beside.map_or(1, |beside| beside.ways.len());
         let mut alike: Vec<Alike> = (0..ahead.ways.len() * ways).map(|_| Alike::default()).collect();
         // What differs from the ways ahead, by the transition.
-        let mut amid: Vec<(Walks, Sensed, Reached)> = Vec::new();
+        let mut amid: Vec<(Walks, InputTrace, Reached)> = Vec::new();
         joined.begin();
         for index in 0..self.actions() {
             let repertoire = &self.world.cell.repertoire;
@@ -399,7 +399,7 @@ impl<P: Plant> Expander<P> {
             };
             expanded.effects.push(Effect::To(next));
             transitions[transition].worked = transitions[transition].worked.and(key.2.presses);
-            let struck = before == Before::Unsafe;
+            let struck = before == PriorState::Unsafe;
             let of = |who, way| Pending { state: number, who, way, transition, index, action: action.of(who), struck };
             match second {
                 None => pending.push(of(Who::First, way)),
@@ -421,7 +421,7 @@ impl<P: Plant> Expander<P> {
         &mut self,
         (state, last): (&State, bool),
         goes: &Goes<'_>,
-        sensed: &Sensed,
+        sensed: &InputTrace,
         expanded: &mut Expanded<State, Finding>,
         transitions: &mut Vec<Transition>,
     ) -> Result<Reached, PlantError> {
@@ -450,12 +450,13 @@ impl<P: Plant> Expander<P> {
         (state, last): (&State, bool),
         walks: Walks,
         action: Action,
-        amid: &mut Vec<(Walks, Sensed, Reached)>,
+        amid: &mut Vec<(Walks, InputTrace, Reached)>,
         expanded: &mut Expanded<State, Finding>,
         transitions: &mut Vec<Transition>,
     ) -> Result<Reached, PlantError> {
-        let from = Begin { node: state.node, places: state.places, delays: &state.delays, switched: state.switched };
-        let Gone { walks, sensed, advanced } = self.robots.go_along(&from, walks, action, &|_| {})?;
+        let from =
+            ActionStart { node: state.node, places: state.places, delays: &state.delays, switched: state.switched };
+        let CarriedOut { walks, sensed, advanced } = self.robots.go_along(&from, walks, action, &|_| {})?;
         let node = match advanced {
             Advanced::Fault(fault) => {
                 self.coverage.episodes_not_evaluated += 1;
@@ -463,7 +464,7 @@ impl<P: Plant> Expander<P> {
             }
             Advanced::To(node) => node,
         };
-        let same = |(known, told, _): &&(Walks, Sensed, Reached)| *known == walks && told.same(&sensed);
+        let same = |(known, told, _): &&(Walks, InputTrace, Reached)| *known == walks && told.same(&sensed);
         if let Some((_, _, to)) = amid.iter().find(same) {
             return Ok(to.clone());
         }
@@ -496,7 +497,7 @@ impl<P: Plant> Expander<P> {
         Ok(Reached::To(expanded.next.len() - 1, transitions.len() - 1))
     }
 
-    fn look(&mut self, blocked: bool, sensed: &Sensed, frames: &Frames) {
+    fn look(&mut self, blocked: bool, sensed: &InputTrace, frames: &Frames) {
         let coverage = &mut self.coverage;
         coverage.actions += 1;
         coverage.walks_blocked += u64::from(blocked);
@@ -511,7 +512,7 @@ impl<P: Plant> Expander<P> {
 
 /// Takes in what an only person meets in an action at an instant.
 fn alone(
-    (expanded, before): (&mut Expanded<State, Finding>, Before),
+    (expanded, before): (&mut Expanded<State, Finding>, PriorState),
     p: &Pending,
     (found, clamping): (Finding, Option<Finding>),
     goes_on: bool,
@@ -543,12 +544,12 @@ fn alone(
 
 /// Notes a clamping behind a hazard by contact; of one kind in one action the worst. What is told with the end of the action is news
 /// for sequences only that met a hazard before.
-fn note_clamping(noted: &mut Vec<Noted<Finding>>, (action, met): (usize, Finding), before: Before, is_told: bool) {
+fn note_clamping(noted: &mut Vec<Noted<Finding>>, (action, met): (usize, Finding), before: PriorState, is_told: bool) {
     let of = match (before, is_told) {
-        (Before::Safe, true) => return,
-        (Before::Either, true) | (Before::Unsafe, _) => Of::Unsafe,
-        (Before::Safe, false) => Of::Safe,
-        (Before::Either, false) => Of::Either,
+        (PriorState::Safe, true) => return,
+        (PriorState::Either, true) | (PriorState::Unsafe, _) => Of::Unsafe,
+        (PriorState::Safe, false) => Of::Safe,
+        (PriorState::Either, false) => Of::Either,
     };
     let alike = |noted: &&mut Noted<Finding>| noted.action == action && noted.of == of && noted.met.is_like(&met);
     match noted.iter_mut().find(alike) {
@@ -601,7 +602,7 @@ impl<P: Plant> Expansion for Expander<P> {
     fn expand(
         &mut self,
         depth: usize,
-        states: &[(&State, Before)],
+        states: &[(&State, PriorState)],
         go_on: &mut dyn FnMut() -> bool,
     ) -> Result<Option<Vec<Expanded<State, Finding>>>, PlantError> {
         match self.all_from(depth, states, go_on) {

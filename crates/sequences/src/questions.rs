@@ -11,10 +11,10 @@ use crate::human::walk::WalkTrace;
 use crate::sim::Coverage;
 use crate::sim::encounter::Person;
 use crate::sim::threads::shared_out;
-use crate::sim::world::{Hit, Instant, Occupant, Stance};
+use crate::sim::world::{Hit, Instant, Occupant, PersonState};
 
 /// A stance, and the numbers of the situations that it is asked about.
-pub(super) type Question = (Stance, Vec<usize>);
+pub(super) type ContactQuestion = (PersonState, Vec<usize>);
 
 /// What came out of questions: for each, and each of its situations, what is unsafe; and what was counted for all.
 pub(super) type Out = (Vec<Vec<Option<Hit>>>, Coverage);
@@ -29,7 +29,7 @@ impl<P: Plant> Expander<P> {
         pending: &[Pending],
         transitions: &[Vec<Transition>],
         walked: &dyn Fn(&Pending) -> &'a WalkTrace,
-    ) -> (Vec<Question>, Vec<Option<(usize, usize)>>) {
+    ) -> (Vec<ContactQuestion>, Vec<Option<(usize, usize)>>) {
         let mut numbers: BTreeMap<&[usize], usize> = BTreeMap::new();
         let mut all: Vec<_> = Vec::new();
         for ((number, p), situation) in pending.iter().enumerate().zip(asked) {
@@ -45,7 +45,7 @@ impl<P: Plant> Expander<P> {
             ));
         }
         all.sort_unstable();
-        let mut questions: Vec<Question> = Vec::new();
+        let mut questions: Vec<ContactQuestion> = Vec::new();
         let mut places = vec![None; pending.len()];
         for alike in all.chunk_by(|a, b| a.0 == b.0) {
             let p = &pending[alike[0].2];
@@ -59,7 +59,7 @@ impl<P: Plant> Expander<P> {
                 }
                 places[*number] = Some((questions.len(), situations.len() - 1));
             }
-            questions.push((Stance { struck: p.struck, ..stance }, situations));
+            questions.push((PersonState { struck: p.struck, ..stance }, situations));
         }
         (questions, places)
     }
@@ -67,7 +67,7 @@ impl<P: Plant> Expander<P> {
     /// Answers all questions: each stance with the situations it is asked about.
     pub(super) fn answer(
         &mut self,
-        questions: &[Question],
+        questions: &[ContactQuestion],
         situations: &[Situation],
         go_on: &mut dyn FnMut() -> bool,
     ) -> Option<Vec<Vec<Option<Hit>>>> {
@@ -87,11 +87,11 @@ impl<P: Plant> Expander<P> {
     /// Works out all answers.
     pub(super) fn work_out_all(
         &self,
-        questions: &[Question],
+        questions: &[ContactQuestion],
         situations: &[Situation],
         go_on: &mut dyn FnMut() -> bool,
     ) -> Option<Out> {
-        let questions: Vec<&Question> = questions.iter().collect();
+        let questions: Vec<&ContactQuestion> = questions.iter().collect();
         let (mut all, mut total) = (Vec::with_capacity(questions.len()), Coverage::new(self.world.cell.sensors.len()));
         for (answers, coverage) in self.work_out(&questions, false, situations, go_on)? {
             total.merge(&coverage);
@@ -103,7 +103,7 @@ impl<P: Plant> Expander<P> {
     /// Looks for contacts, on all threads: the answers in order, some together or each `apart`.
     pub(super) fn work_out(
         &self,
-        questions: &[&Question],
+        questions: &[&ContactQuestion],
         apart: bool,
         situations: &[Situation],
         go_on: &mut dyn FnMut() -> bool,
@@ -111,7 +111,7 @@ impl<P: Plant> Expander<P> {
         let (world, sensors) = (&self.world, self.world.cell.sensors.len());
         let found = shared_out(self.workers, questions.len(), go_on, |numbers, stopped| {
             let mut outs: Vec<Out> = Vec::new();
-            let mut last: Option<(&Stance, Option<Person>)> = None;
+            let mut last: Option<(&PersonState, Option<Person>)> = None;
             for (stance, asked) in &questions[numbers] {
                 if apart || outs.is_empty() {
                     outs.push((Vec::new(), Coverage::new(sensors)));
@@ -119,7 +119,7 @@ impl<P: Plant> Expander<P> {
                 let Some((answers, coverage)) = outs.last_mut() else { break };
                 let mut posed = last.take().filter(|(known, _)| known.poses_as(stance)).and_then(|(_, posed)| posed);
                 let mut instants = instants_of(asked, situations);
-                let Ok(hits) = world.of_stance(stance).contacts(stance, &mut posed, &mut instants, coverage);
+                let Ok(hits) = world.of_person_state(stance).contacts(stance, &mut posed, &mut instants, coverage);
                 last = Some((stance, posed));
                 // What was under way then says nothing.
                 if world.stop().is_due() {

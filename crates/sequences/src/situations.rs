@@ -14,7 +14,7 @@ use crate::human::Place;
 use crate::human::walk::WalkTrace;
 use crate::sim::answers::{Digest, Key};
 use crate::sim::robots::{Instead, Shadow};
-use crate::sim::world::{Asked, Earlier, Frames, HadTold, Window};
+use crate::sim::world::{Asked, Frames, IfSignalled, SignalledRuns, Window};
 
 /// The robots at an instant, and as they would be had planes told of an arm.
 pub(super) struct Situation {
@@ -23,7 +23,7 @@ pub(super) struct Situation {
     pub(super) frames: Frames,
     pub(super) i: usize,
     /// By the windows in which they told.
-    earlier: BTreeMap<Vec<Window>, HadTold<Frames>>,
+    earlier: BTreeMap<Vec<Window>, IfSignalled<Frames>>,
     /// What a stop takes from then on, where separation counts.
     stopping: Option<Arc<Stopping>>,
     key: OnceLock<Key>,
@@ -39,7 +39,7 @@ impl Situation {
             digest.numbers(frames[*i].outputs());
             for (windows, told) in earlier {
                 (windows, discriminant(told)).hash(&mut digest);
-                if let HadTold::Is(frames) = told {
+                if let IfSignalled::Is(frames) = told {
                     digest.numbers(frames[*i].outputs());
                 }
             }
@@ -54,15 +54,15 @@ fn bits_of(Stopping { time_s, travel_m }: &Stopping) -> Vec<u64> {
     std::iter::once(*time_s).chain(travel_m.iter().copied()).map(f64::to_bits).collect()
 }
 
-impl Earlier for &Situation {
+impl SignalledRuns for &Situation {
     type Error = Infallible;
 
     fn stopping(&mut self) -> Result<Option<Arc<Stopping>>, Infallible> {
         Ok(self.stopping.clone())
     }
 
-    fn told_of(&mut self, windows: &[Window]) -> Result<HadTold<Frames>, Infallible> {
-        Ok(self.earlier.get(windows).cloned().unwrap_or(HadTold::BeforeTime))
+    fn told_of(&mut self, windows: &[Window]) -> Result<IfSignalled<Frames>, Infallible> {
+        Ok(self.earlier.get(windows).cloned().unwrap_or(IfSignalled::BeforeTime))
     }
 }
 
@@ -130,10 +130,10 @@ impl<P: Plant> Expander<P> {
             None => {
                 let mut told = |shadow: Shadow| shadow.map(|node| self.robots.frames(node));
                 let earlier: BTreeMap<_, _> = windows.iter().cloned().zip(shadows.into_iter().map(&mut told)).collect();
-                let told_may_harm = |told: &HadTold<Frames>| match told {
-                    HadTold::Is(frames) => frames[i].may_harm,
-                    HadTold::BeforeTime => false,
-                    HadTold::Unfinished => true,
+                let told_may_harm = |told: &IfSignalled<Frames>| match told {
+                    IfSignalled::Is(frames) => frames[i].may_harm,
+                    IfSignalled::BeforeTime => false,
+                    IfSignalled::Unfinished => true,
                 };
                 let may_harm = transition.frames[i].may_harm || earlier.values().any(told_may_harm);
                 let frames = Arc::clone(&transition.frames);

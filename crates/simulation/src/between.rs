@@ -49,7 +49,7 @@ const ROUNDING_M: f64 = 1e-6;
 
 /// One of some equal parts of a communication step.
 #[derive(Clone, Copy, Debug)]
-pub struct Part {
+pub struct StepFraction {
     /// Which one, from 0.
     pub number: usize,
     /// Of so many, an even number.
@@ -58,7 +58,7 @@ pub struct Part {
     pub step_s: f64,
 }
 
-impl Part {
+impl StepFraction {
     /// Its middle, and half of it, as shares of the step.
     #[expect(clippy::cast_precision_loss, reason = "a few parts")]
     fn middle(&self) -> (f64, f64) {
@@ -74,7 +74,7 @@ struct Steady<'a> {
 
 impl<'a> Steady<'a> {
     /// None where joints come farther than their speeds take them.
-    fn new(kinematics: &'a Kinematics, motion: &MotionBinding, rows: [&[f64]; 2], part: &Part) -> Option<Self> {
+    fn new(kinematics: &'a Kinematics, motion: &MotionBinding, rows: [&[f64]; 2], part: &StepFraction) -> Option<Self> {
         let MotionBinding::Joints { positions, speeds } = motion else { return None };
         let [(from, before), (to, after)] = rows.map(|row| joints(kinematics, positions, speeds, row));
         let (middle, half) = part.middle();
@@ -110,7 +110,12 @@ impl<'a> Steady<'a> {
 /// The robots in a part of the step between two instants, every link as large as what it may be in then, with the speeds of the nearer
 /// instant.
 #[must_use]
-pub fn in_part_of_step(cell: &Workcell, binding: &Binding, [from, to]: [&RobotFrame; 2], part: &Part) -> RobotFrame {
+pub fn in_part_of_step(
+    cell: &Workcell,
+    binding: &Binding,
+    [from, to]: [&RobotFrame; 2],
+    part: &StepFraction,
+) -> RobotFrame {
     let nearer = if part.middle().0 <= 0.5 { from } else { to };
     let rows = [from.outputs(), to.outputs()];
     let of_robots = cell.robots.iter().zip(&binding.robots);
@@ -133,7 +138,7 @@ pub fn in_part_of_step(cell: &Workcell, binding: &Binding, [from, to]: [&RobotFr
 
 /// A capsule on the straight ways of both ends of its core: between them every point of the core is off as both ends are. None where
 /// they come farther than their speeds take them.
-fn straight(link: usize, [from, to]: [&RobotFrame; 2], [a, b]: [&Capsule; 2], part: &Part) -> Option<Solid> {
+fn straight(link: usize, [from, to]: [&RobotFrame; 2], [a, b]: [&Capsule; 2], part: &StepFraction) -> Option<Solid> {
     let (middle, half) = part.middle();
     let end = |before: Vec3, after: Vec3| {
         let speed = from.velocity(link, before).length().max(to.velocity(link, after).length());

@@ -74,7 +74,7 @@ fn a_joint_that_arrives_in_time_is_never_far_from_a_steady_one() {
         let at = |time: f64| first * time.min(turns) - first * (time - turns).max(0.0);
         let moved = at(1.0);
         for number in 0..parts {
-            let part = Part { number, of: parts, step_s: 1.0 };
+            let part = StepFraction { number, of: parts, step_s: 1.0 };
             let (middle, half) = part.middle();
             let by = off(moved, fastest, half);
             for share in 0..=10 {

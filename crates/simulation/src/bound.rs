@@ -44,15 +44,15 @@ impl RobotBounds {
     /// may touch a robot within `actions` actions.
     #[must_use]
     pub fn may_meet(&self, position: Vec3, reach_m: f64, actions: usize) -> bool {
-        self.balls.iter().any(|ball| self.may_meet_in(ball, position, reach_m, actions))
+        self.balls.iter().any(|ball| self.may_touch_in(ball, position, reach_m, actions))
     }
 
     /// The same of each robot by itself.
     pub(super) fn each(&self, position: Vec3, reach_m: f64, actions: usize) -> Vec<bool> {
-        self.balls.iter().map(|ball| self.may_meet_in(ball, position, reach_m, actions)).collect()
+        self.balls.iter().map(|ball| self.may_touch_in(ball, position, reach_m, actions)).collect()
     }
 
-    fn may_meet_in(&self, ball: &Option<(Vec3, f64)>, position: Vec3, reach_m: f64, actions: usize) -> bool {
+    fn may_touch_in(&self, ball: &Option<(Vec3, f64)>, position: Vec3, reach_m: f64, actions: usize) -> bool {
         #[expect(clippy::cast_precision_loss, reason = "a few dozen")]
         let walk = self.person_m_s * ACTION_S * actions as f64;
         let Some((centre, radius)) = ball else { return true };

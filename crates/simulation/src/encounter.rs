@@ -114,7 +114,7 @@ struct Pair {
 
 /// What is known of the contacts of an arm in many poses of a person.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub enum ArmAnywhere {
+pub enum ArmOverBox {
     /// There is none.
     Nowhere,
     /// There is one in the pose that was asked for, with the link of this number.
@@ -233,7 +233,7 @@ impl Encounter {
     /// whether there is none wherever shoulder, elbow and wrist are no farther than `carried_m` from where that body has them. To
     /// `try_only` takes little, and often finds one that there is.
     #[must_use]
-    pub fn arm_anywhere(
+    pub fn arm_over_box(
         &self,
         (body, side): (&PlacedBody, Side),
         carried_m: f64,
@@ -241,7 +241,7 @@ impl Encounter {
         (walls, known): (&[Cuboid], &ArmCells),
         try_only: bool,
         coverage: &mut Coverage,
-    ) -> ArmAnywhere {
+    ) -> ArmOverBox {
         let targets = Targets::each(links);
         let solids = targets.solids();
         let obstacles: Vec<Cuboid> = self.obstacles.iter().chain(walls).copied().collect();
@@ -266,9 +266,9 @@ impl Encounter {
         });
         coverage.arm_boxes += u64::from(outcome.boxes);
         match outcome.best {
-            Some(found) => ArmAnywhere::Touches(found.link),
-            None if outcome.complete => ArmAnywhere::Nowhere,
-            None => ArmAnywhere::Unknown,
+            Some(found) => ArmOverBox::Touches(found.link),
+            None if outcome.complete => ArmOverBox::Nowhere,
+            None => ArmOverBox::Unknown,
         }
     }
 

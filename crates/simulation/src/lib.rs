@@ -5,29 +5,29 @@
 //! - [`encounter`]: person against robot at one instant: contact, danger
 //! - `pinch`: where a link may clamp an arm
 //! - [`world`]: what follows without the FMU: walking, sensing, touching
-//! - [`curtain`]: reaching through a light curtain, and when
+//! - [`detection_plane`]: reaching through a detection plane, and when
 //! - [`threads`]: independent work on all cores, for what asks that of many
 //! - [`bound`]: how far robots and person can come at all
 //! - [`simulation`]: one action after the other, with snapshots of *everything*
 //! - [`between`]: where they may be in a part of a communication step
-//! - `befallen`: what befalls people in one action
+//! - `action_hazards`: the hazards of one action, for all people
+//! - `action`: an action from a state: where it leads, what is detected, what the FMU answers
 //! - `behind`: what comes behind the first hazard by contact
-//! - [`imagination`]: what a sequence would lead to if the robots moved as they were seen to
-//! - [`motion`]: whether the speeds that the FMU tells are those at which it moves
+//! - [`surrogate`]: what a sequence would lead to if the robots moved as they were seen to
+//! - [`motion`]: whether the speeds that the FMU reports are those at which it moves
 //! - [`answers`]: answers to questions whether people can be touched, kept and shared
 //! - [`replay`]: one sequence from a fresh instance, with no restore
 //!
 //! [`Environment`]: fmi_hazard_search::Environment
 
+pub mod action;
+pub mod action_hazards;
 pub mod answers;
-pub mod befallen;
 pub(crate) mod behind;
 pub mod between;
 pub mod bound;
-pub mod curtain;
+pub mod detection_plane;
 pub mod encounter;
-pub mod going;
-pub mod imagination;
 pub mod motion;
 pub(crate) mod pinch;
 pub mod replay;
@@ -35,6 +35,7 @@ pub mod robot;
 pub mod robots;
 pub mod sensors;
 pub mod simulation;
+pub mod surrogate;
 pub mod threads;
 pub mod world;
 

@@ -14,15 +14,15 @@
 //! The last step of an action is compared when the next is known. Where none follows, it has to be within what a robot can
 //! do at all ([`HARDEST`]): it may still not have been put somewhere else.
 
-mod seen;
+mod observation;
 mod signal;
 
 use self::signal::{Value, length, signals};
 use crate::cell::binding::{HARDEST, jumps};
 use crate::cell::{Binding, Workcell};
 
-pub use seen::{Disagreement, Motion, Seen};
-pub use signal::{Part, Signal};
+pub use observation::{Disagreement, Motion, SignalObservation};
+pub use signal::{MovingPart, Signal};
 
 /// Time over which roughly rounded outputs are told from a motion, s.
 const SPAN_S: f64 = 0.02;
@@ -142,7 +142,7 @@ impl Comparison {
     /// from index `new` on have not been looked at with what goes before them.
     pub fn look(&self, rows: &[f64], from: usize, new: usize, motion: &mut Motion) {
         let rows: Vec<&[f64]> = rows.chunks(self.columns.max(1)).collect();
-        motion.seen.resize(self.signals.len(), Seen::default());
+        motion.seen.resize(self.signals.len(), SignalObservation::default());
         let Some(last) = rows.len().checked_sub(1) else { return };
         motion.last = motion.last.max(from + last);
         let told = |signal: &Signal| rows.iter().map(|row| signal.speed(row)).collect();
@@ -210,14 +210,14 @@ impl Comparison {
         ((end, span), self.signals[number].rough() * self.seconds(self.span) / self.seconds(span))
     }
 
-    fn disagreement(&self, number: usize, rows: &Rows, way: (usize, usize), rough: f64, seen: &mut Seen) {
+    fn disagreement(&self, number: usize, rows: &Rows, way: (usize, usize), rough: f64, seen: &mut SignalObservation) {
         let (mean, own) = (rows.mean(number, way), rows.around(number, way));
         let beyond = rows.beyond(number, number, way, rough);
         let fastest = own.iter().map(length).fold(0.0, f64::max);
         let slowest = own.iter().map(length).fold(f64::INFINITY, f64::min);
         seen.slower_faster[0] |= length(&mean) > fastest + rough;
         seen.slower_faster[1] |= length(&mean) < slowest - rough;
-        let one = matches!(self.signals[number].part, Part::Joint(_));
+        let one = matches!(self.signals[number].part, MovingPart::Joint(_));
         let shown = |value: &Value| if one { value[0] } else { length(value) };
         let step = rows.from + way.0;
         seen.steps.insert(step);

@@ -14,7 +14,7 @@ const STEP_S: f64 = 0.02;
 fn joints(count: usize, step_s: f64) -> Comparison {
     let joint = |n: usize| {
         let way = vec![Derived::Rate { of: Reader::output(2 * n, 1.0), turns: true }];
-        Signal::new(0, Part::Joint(n), way, &[Reader::output(2 * n + 1, 1.0)], true).unwrap()
+        Signal::new(0, MovingPart::Joint(n), way, &[Reader::output(2 * n + 1, 1.0)], true).unwrap()
     };
     #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "small")]
     let of = |seconds: f64| (seconds / step_s).round() as usize;

@@ -2,7 +2,7 @@
 
 use std::sync::Arc;
 
-use super::simulation::Watched;
+use super::simulation::RecordedRun;
 use super::{Options, Simulation};
 use crate::cell::{Binding, Workcell};
 use crate::hazard::Finding;
@@ -92,7 +92,7 @@ pub fn replay_watched<P: Plant>(
 }
 
 /// For how long before the contact each sensor had reported the person, s.
-fn reported<P: Plant>(simulation: &Simulation<P>, watched: &Watched, found: &Finding) -> Vec<Option<f64>> {
+fn reported<P: Plant>(simulation: &Simulation<P>, watched: &RecordedRun, found: &Finding) -> Vec<Option<f64>> {
     let world = simulation.world();
     let since = |sensor: usize| {
         if let Some(through) = found.through.iter().find(|through| through.sensor == sensor) {

@@ -9,7 +9,7 @@ use std::sync::Arc;
 use super::Coverage;
 use super::motion::{Comparison, Motion};
 use super::robot::RobotFrame;
-use super::world::{Command, Earlier, Frames, HadTold, Window, World};
+use super::world::{Command, Frames, IfSignalled, SignalledRuns, Window, World};
 use crate::hazard::STANDSTILL_M_S;
 use crate::hazard::criterion::separation::{Stop, Stopping};
 use crate::host::{Advanced, NodeId, Plant, PlantError, Recall};
@@ -26,14 +26,14 @@ const MOST_ACTIONS_UNTIL_STILL: usize = 25;
 
 /// A plane that tells of an arm: the steps, counted from the start of an action, in which its input is active besides.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
-struct Told {
+struct PlaneSignal {
     sensor: u16,
     first: i16,
-    /// The first step again in which it is not; [`Told::EVER`] for never.
+    /// The first step again in which it is not; [`PlaneSignal::EVER`] for never.
     until: i16,
 }
 
-impl Told {
+impl PlaneSignal {
     const EVER: i16 = i16::MAX;
 
     /// Steps from its beginning to its end, or for what never ends to that of an action of so many steps, which it begins
@@ -56,7 +56,7 @@ impl Told {
 }
 
 /// The state that stands in for another.
-pub type Shadow = HadTold<NodeId>;
+pub type Shadow = IfSignalled<NodeId>;
 
 /// Those of a sensor, and when it ended, by how much earlier it began.
 type Shadows = ((u16, i16), Vec<Option<Shadow>>);
@@ -86,7 +86,7 @@ pub struct Robots<P: Plant> {
     /// then by sensor and when it ended; then by how much earlier it began.
     shadows: Vec<Vec<Shadows>>,
     /// The same for several planes.
-    of_several: BTreeMap<(NodeId, Box<[Told]>), Shadow>,
+    of_several: BTreeMap<(NodeId, Box<[PlaneSignal]>), Shadow>,
     /// What the FMU said when it first could not finish such a run.
     unfinished: Option<String>,
     /// Whether in such a run something that follows the FMU would have done so otherwise.
@@ -318,7 +318,7 @@ impl<P: Plant> Robots<P> {
     }
 
     /// The state after the action into `node` had planes told of an arm besides.
-    fn had_told(&mut self, node: NodeId, told: &[Told]) -> Result<Shadow, PlantError> {
+    fn if_signalled(&mut self, node: NodeId, told: &[PlaneSignal]) -> Result<Shadow, PlantError> {
         let per_action = i16::try_from(self.world.cell.steps_per_action).unwrap_or(i16::MAX);
         if let [one] = told
             && one.counts(per_action)
@@ -327,7 +327,7 @@ impl<P: Plant> Robots<P> {
             return Ok(known);
         }
         // What is told later than in this action changes nothing yet.
-        let told: Box<[Told]> = told.iter().copied().filter(|t| t.counts(per_action)).collect();
+        let told: Box<[PlaneSignal]> = told.iter().copied().filter(|t| t.counts(per_action)).collect();
         if told.is_empty() {
             return Ok(Shadow::Is(node));
         }
@@ -338,8 +338,8 @@ impl<P: Plant> Robots<P> {
             return Ok(known);
         }
         let parent = self.recall.parent(node);
-        let earlier: Vec<Told> = told.iter().filter(|t| t.first < 0).map(|t| t.before(per_action)).collect();
-        let shadow = match self.had_told(parent, &earlier)? {
+        let earlier: Vec<PlaneSignal> = told.iter().filter(|t| t.first < 0).map(|t| t.before(per_action)).collect();
+        let shadow = match self.if_signalled(parent, &earlier)? {
             Shadow::Is(from) if self.astray.contains(&(parent, from)) => self.strayed(),
             Shadow::Is(from) => {
                 let mut inputs = self.recall.inputs(node);
@@ -406,14 +406,14 @@ impl<P: Plant> Robots<P> {
         Shadow::Unfinished
     }
 
-    fn known_shadow(&self, node: NodeId, told: &[Told], per_action: i16) -> Option<Shadow> {
+    fn known_shadow(&self, node: NodeId, told: &[PlaneSignal], per_action: i16) -> Option<Shadow> {
         let [one] = told else { return self.of_several.get(&(node, told.into())).cloned() };
         let of_node = self.shadows.get(node.index())?;
         let (_, known) = of_node.iter().find(|(of, _)| *of == (one.sensor, one.until))?;
         known.get(one.earlier(per_action))?.clone()
     }
 
-    fn remember_shadow(&mut self, node: NodeId, told: Box<[Told]>, per_action: i16, shadow: Shadow) {
+    fn remember_shadow(&mut self, node: NodeId, told: Box<[PlaneSignal]>, per_action: i16, shadow: Shadow) {
         let [one] = *told else {
             self.of_several.insert((node, told), shadow);
             return;
@@ -435,20 +435,20 @@ impl<P: Plant> Robots<P> {
     }
 
     /// The steps of the action into a state that a window, seen from step `i` of it, is about.
-    fn told(&self, window: &Window, i: usize) -> Told {
+    fn told(&self, window: &Window, i: usize) -> PlaneSignal {
         let narrow = |n: isize| i16::try_from(n).unwrap_or(i16::MAX - 1);
         let number = self.world.first.curtains[window.curtain].sensor;
         let sensor = &self.world.cell.sensors[number];
         let now = (i + 1 + sensor.delay_steps).cast_signed();
         let until = match window.until {
             until if until > 0 && !sensor.latched => narrow(now - until.cast_signed()),
-            _ => Told::EVER,
+            _ => PlaneSignal::EVER,
         };
         let first = narrow(now - window.from.cast_signed());
         // What takes effect after this step only is not told yet.
         let none = window.from == window.until || usize::try_from(first).is_ok_and(|first| first > i);
         let first = if none { until } else { first };
-        Told { sensor: u16::try_from(number).unwrap_or(u16::MAX), first, until }
+        PlaneSignal { sensor: u16::try_from(number).unwrap_or(u16::MAX), first, until }
     }
 
     /// The states in which the FMU would be in `node`'s stead had a plane told of an arm in the last 1, 2, ... samples, or,
@@ -464,7 +464,7 @@ impl<P: Plant> Robots<P> {
     ) -> Result<Vec<Shadow>, PlantError> {
         let last = self.world.cell.steps_per_action - 1;
         let windows = self.world.first.windows_that_will_matter(place, curtain, since);
-        let shadow = |window: Window| match self.had_told(node, &[self.told(&window, last)])? {
+        let shadow = |window: Window| match self.if_signalled(node, &[self.told(&window, last)])? {
             // The person would go elsewhere from here on.
             Shadow::Is(other) if self.astray.contains(&(node, other)) => Ok(Shadow::Unfinished),
             shadow => Ok(shadow),
@@ -495,7 +495,8 @@ impl<P: Plant> Robots<P> {
     /// Memory for states, and for what stands in for them had several planes told of an arm.
     pub fn bytes(&self) -> usize {
         /// A pair of windows on the heap, and its share of the map's nodes.
-        const OF_SEVERAL: usize = size_of::<((NodeId, Box<[Told]>), Shadow)>() + 2 * size_of::<Told>() + 32;
+        const OF_SEVERAL: usize =
+            size_of::<((NodeId, Box<[PlaneSignal]>), Shadow)>() + 2 * size_of::<PlaneSignal>() + 32;
         let said = size_of::<(NodeId, Arc<[Arrangement]>)>()
             + 32
             + size_of::<Arrangement>() * self.world.cell.steps_per_action;
@@ -522,10 +523,10 @@ impl<'a, P: Plant> Instead<'a, P> {
     pub fn node_for(&mut self, windows: &[Window]) -> Result<Shadow, PlantError> {
         let told = |window: &Window| self.robots.told(window, self.i);
         let shadow = match windows {
-            [window] => self.robots.had_told(self.node, &[told(window)])?,
+            [window] => self.robots.if_signalled(self.node, &[told(window)])?,
             _ => {
-                let told: Vec<Told> = windows.iter().map(told).collect();
-                self.robots.had_told(self.node, &told)?
+                let told: Vec<PlaneSignal> = windows.iter().map(told).collect();
+                self.robots.if_signalled(self.node, &told)?
             }
         };
         match shadow {
@@ -535,10 +536,10 @@ impl<'a, P: Plant> Instead<'a, P> {
     }
 }
 
-impl<P: Plant> Earlier for Instead<'_, P> {
+impl<P: Plant> SignalledRuns for Instead<'_, P> {
     type Error = PlantError;
 
-    fn told_of(&mut self, windows: &[Window]) -> Result<HadTold<Frames>, PlantError> {
+    fn told_of(&mut self, windows: &[Window]) -> Result<IfSignalled<Frames>, PlantError> {
         let node = self.node_for(windows)?;
         Ok(node.map(|node| self.robots.frames(node)))
     }

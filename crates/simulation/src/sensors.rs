@@ -41,15 +41,15 @@ impl DelayLine {
 
     /// A sensor that has been reading `raw` for long.
     #[must_use]
-    pub const fn settled(raw: bool, delay_steps: usize) -> Self {
+    pub const fn steady(raw: bool, delay_steps: usize) -> Self {
         let (recent, seen) = if raw { (Self::kept(delay_steps), Self::LONGEST) } else { (0, 0) };
         Self { recent, seen, latch: Latch::None }
     }
 
     /// The same where the FMU has been `told` for long what is not seen of the body.
     #[must_use]
-    pub(crate) const fn settled_apart(told: bool, raw: bool, delay_steps: usize) -> Self {
-        Self { seen: Self::settled(raw, delay_steps).seen, ..Self::settled(told, delay_steps) }
+    pub(crate) const fn steady_with(told: bool, raw: bool, delay_steps: usize) -> Self {
+        Self { seen: Self::steady(raw, delay_steps).seen, ..Self::steady(told, delay_steps) }
     }
 
     /// The same of a sensor that is `latched`, if it is: one whose reading is held from when it has taken effect, as it has where it
@@ -122,7 +122,7 @@ impl DelayLine {
 
 /// The person as sensors see it.
 #[derive(Clone, Debug)]
-pub struct Seen {
+pub struct SensorTarget {
     /// Floor points below the ankles, left and right, m; below the knees of who kneels or crawls.
     pub feet: [Vec3; 2],
     /// What else touches the floor.
@@ -143,7 +143,7 @@ pub struct Seen {
 /// when any part of head, trunk or legs passes through its plane, and so does a door; a two-hand control, when a foot
 /// leaves the operator's post. Arms are a matter of the contact check.
 #[must_use]
-pub fn sees(sensor: &Sensor, seen: &Seen) -> bool {
+pub fn sees(sensor: &Sensor, seen: &SensorTarget) -> bool {
     match &sensor.zone {
         DetectionZone::Floor(polygon) => {
             let besides = seen.besides.iter().flatten();
@@ -166,7 +166,7 @@ pub fn input_row(
     cell: &Workcell,
     binding: &Binding,
     readings: &[bool],
-    seen: &Seen,
+    seen: &SensorTarget,
     pressed: Presses,
     row: &mut Vec<f64>,
 ) {
@@ -197,15 +197,15 @@ mod tests {
 
     #[test]
     fn a_delay_of_three_steps_takes_three_steps() {
-        let mut line = DelayLine::settled(false, 3);
+        let mut line = DelayLine::steady(false, 3);
         let out: Vec<bool> = [true, true, false, false, false, false].iter().map(|&r| line.push(r, 3)).collect();
         assert_eq!(out, [false, false, false, true, true, false]);
-        assert!(DelayLine::settled(true, 63).push(false, 63));
+        assert!(DelayLine::steady(true, 63).push(false, 63));
     }
 
     #[test]
     fn what_is_latched_is_held_from_when_it_takes_effect() {
-        let mut line = DelayLine::settled(false, 2).latching(true, false);
+        let mut line = DelayLine::steady(false, 2).latching(true, false);
         let raw = [false, true, false, false, false, false];
         assert_eq!(raw.map(|raw| line.push(raw, 2)), [false, false, false, true, true, true]);
         // Whoever comes again tells nothing new: the state is the same.
@@ -213,8 +213,8 @@ mod tests {
         assert!(line.push(true, 2));
         assert_eq!(line.on_its_way(), before);
         // Who is seen at the start is told of for good; and what is not latched is as ever.
-        assert!(DelayLine::settled(true, 0).latching(true, true).push(false, 0));
-        assert!(!DelayLine::settled(true, 0).latching(false, true).push(false, 0));
+        assert!(DelayLine::steady(true, 0).latching(true, true).push(false, 0));
+        assert!(!DelayLine::steady(true, 0).latching(false, true).push(false, 0));
     }
 
     #[test]

@@ -9,15 +9,15 @@ use std::ops::Range;
 use std::sync::Arc;
 
 use super::Coverage;
-use super::befallen::{Befallen, Course};
+use super::action::{ActionStart, CarriedOut};
+use super::action_hazards::{ActionHazards, PersonCourse};
 use super::encounter::ArmSpace;
-use super::going::{Begin, Gone};
-use super::imagination::Imagination;
 use super::motion::Motion;
 use super::robot::RobotFrame;
 use super::robots::{Instead, Robots};
 use super::sensors::DelayLine;
-use super::world::{self, Occupant, Places, Sensed, Stance, Walks, World};
+use super::surrogate::Surrogate;
+use super::world::{self, InputTrace, Occupant, PersonState, Places, Walks, World};
 use crate::cell::{Binding, Workcell};
 use crate::geometry::Vec3;
 use crate::hazard::Finding;
@@ -85,7 +85,7 @@ pub struct Instant {
 
 /// A sequence from the start, with everything that there is to see.
 #[derive(Clone, Debug)]
-pub struct Watched {
+pub struct RecordedRun {
     /// The start, then the end of each step.
     pub instants: Vec<Instant>,
     /// Inputs of the FMU, one row a step.
@@ -96,7 +96,7 @@ pub struct Watched {
     pub worked: Vec<Presses>,
 }
 
-impl Watched {
+impl RecordedRun {
     /// The same as seen by one of two people: that one as the person, and the other as the second.
     #[must_use]
     pub fn by(mut self, who: Who) -> Self {
@@ -124,7 +124,7 @@ pub struct ReachedThrough {
 
 /// What one action does from one snapshot.
 #[derive(Clone, Debug)]
-struct Outcome {
+struct ActionOutcome {
     /// Where it leads; `None` if the FMU could not finish it.
     to: Option<(NodeId, Places, Vec<DelayLine>, Presses)>,
     reward: f64,
@@ -142,18 +142,18 @@ struct Outcome {
     coverage: Coverage,
 }
 
-/// Everything an [`Outcome`] depends on. The number of actions so far follows from the node, and so do controls that are
+/// Everything an [`ActionOutcome`] depends on. The number of actions so far follows from the node, and so do controls that are
 /// switched over.
 /// Whether a hazard by contact came before, comes last.
-type Question = (NodeId, Places, Vec<DelayLine>, Action, bool);
+type ActionKey = (NodeId, Places, Vec<DelayLine>, Action, bool);
 
 /// The same of what one of the people meets in it.
-type Looked = (Who, Question);
+type PersonQuestion = (Who, ActionKey);
 
 /// What the contact check of an action tells.
 #[derive(Clone, Debug)]
-struct Look {
-    met: Course,
+struct ContactCheck {
+    met: PersonCourse,
     coverage: Coverage,
     /// States of the FMU that had to be reached for it.
     reached: BTreeSet<NodeId>,
@@ -165,10 +165,10 @@ pub struct Simulation<P: Plant> {
     options: Options,
     pub(super) robots: Robots<P>,
     /// What this run has seen of the robots, and what follows from it.
-    pub(super) imagination: Imagination,
-    outcomes: BTreeMap<Question, Arc<Outcome>>,
+    pub(super) imagination: Surrogate,
+    outcomes: BTreeMap<ActionKey, Arc<ActionOutcome>>,
     /// Contact checks by the state that the action leads to: each posture is looked at with every other one's walk.
-    looks: BTreeMap<Looked, Arc<Look>>,
+    looks: BTreeMap<PersonQuestion, Arc<ContactCheck>>,
     root: Snapshot,
     state: Snapshot,
     coverage: Coverage,
@@ -199,7 +199,7 @@ impl<P: Plant> Simulation<P> {
         Ok(Self {
             coverage: world.nothing_seen(),
             robots,
-            imagination: Imagination::new(&world),
+            imagination: Surrogate::new(&world),
             world,
             options,
             outcomes: BTreeMap::new(),
@@ -312,22 +312,26 @@ impl<P: Plant> Simulation<P> {
     ///
     /// # Errors
     /// When the FMU fails.
-    pub fn watch(&mut self, actions: &[Action], through: &[ReachedThrough]) -> Result<Watched, PlantError> {
+    pub fn watch(&mut self, actions: &[Action], through: &[ReachedThrough]) -> Result<RecordedRun, PlantError> {
         let world = Arc::clone(&self.world);
         let Snapshot { mut node, mut places, mut delays, mut switched, .. } = self.root.clone();
-        let mut watched =
-            Watched { instants: vec![self.at_start()], inputs: Vec::new(), outputs: Vec::new(), worked: Vec::new() };
+        let mut watched = RecordedRun {
+            instants: vec![self.at_start()],
+            inputs: Vec::new(),
+            outputs: Vec::new(),
+            worked: Vec::new(),
+        };
         for (number, action) in actions.iter().enumerate() {
             let action = world.taken_by_all(&places, *action);
             let begun = watched.instants.len() - 1;
-            let tell = |sensed: &mut Sensed| {
+            let tell = |sensed: &mut InputTrace| {
                 for ReachedThrough { sensor, steps } in through {
                     let steps = steps.start.saturating_sub(begun)..steps.end.saturating_sub(begun);
                     world.report_arm(*sensor, steps, sensed);
                 }
             };
-            let from = Begin { node, places, delays: &delays, switched };
-            let Gone { walks, sensed, advanced } = self.robots.go(&from, action, &tell)?;
+            let from = ActionStart { node, places, delays: &delays, switched };
+            let CarriedOut { walks, sensed, advanced } = self.robots.go(&from, action, &tell)?;
             node = match advanced {
                 Advanced::To(node) => node,
                 Advanced::Fault(fault) => return Err((*fault).clone()),
@@ -380,7 +384,7 @@ impl<P: Plant> Simulation<P> {
         let frame = RobotFrame::new(&world.cell, &world.binding, &row);
         let placed = |own: &Occupant| {
             let (who, place, posture) = (own.who, own.start(), Posture::Upright);
-            let stance = Stance { who, place, posture, moved: 0, broken: Vec::new(), raised: None, struck: false };
+            let stance = PersonState { who, place, posture, moved: 0, broken: Vec::new(), raised: None, struck: false };
             (own.position(&place), own.body_of(&stance))
         };
         let (position, body) = placed(&world.first);
@@ -451,7 +455,7 @@ impl<P: Plant> Simulation<P> {
     }
 
     /// What an action does from the present state, remembered or worked out.
-    fn outcome(&mut self, action: Action) -> Result<Arc<Outcome>, PlantError> {
+    fn outcome(&mut self, action: Action) -> Result<Arc<ActionOutcome>, PlantError> {
         if self.options.policy == Policy::Replay {
             return Ok(Arc::new(self.work_out(action)?));
         }
@@ -468,17 +472,17 @@ impl<P: Plant> Simulation<P> {
     }
 
     /// Walks, runs the sensors and the FMU, and compares people and robots at every step.
-    fn work_out(&mut self, action: Action) -> Result<Outcome, PlantError> {
+    fn work_out(&mut self, action: Action) -> Result<ActionOutcome, PlantError> {
         let mut coverage = crate::nothing_seen(&self.world.cell);
         coverage.actions = 1;
         self.robots.take_reached();
-        let Gone { walks, sensed, advanced } = self.go(action)?;
+        let CarriedOut { walks, sensed, advanced } = self.go(action)?;
         coverage.walks_blocked = u64::from(walks.blocked());
         let node = match advanced {
             Advanced::To(node) => node,
             Advanced::Fault(fault) => {
                 coverage.episodes_not_evaluated = 1;
-                return Ok(Outcome {
+                return Ok(ActionOutcome {
                     to: None,
                     reward: Proximity::Far.reward(),
                     end: Some(End::NotEvaluated),
@@ -499,7 +503,7 @@ impl<P: Plant> Simulation<P> {
             let any = (0..frames.len()).any(|i| self.world.reading(sensor, &sensed.readings[i], &frames[i]));
             *fired = u64::from(any);
         }
-        let mut told = Told::default();
+        let mut told = ActionFindings::default();
         if self.options.posture_sweep {
             for (who, _) in walks.each() {
                 self.sweep(&walks, (who, action), &sensed, node, &mut told, &mut coverage)?;
@@ -531,14 +535,14 @@ impl<P: Plant> Simulation<P> {
         };
         let to = Some((node, self.robots.amid_what_is_said(&walks.ends(), node), sensed.delays, sensed.switched));
         let reached = self.robots.take_reached();
-        let Told { findings, behind } = told;
-        Ok(Outcome { to, reward, end, reached, findings, behind, fault: None, evaluated, coverage })
+        let ActionFindings { findings, behind } = told;
+        Ok(ActionOutcome { to, reward, end, reached, findings, behind, fault: None, evaluated, coverage })
     }
 
     /// What becomes of an action from the present state.
-    fn go(&mut self, action: Action) -> Result<Gone, PlantError> {
+    fn go(&mut self, action: Action) -> Result<CarriedOut, PlantError> {
         let Snapshot { node, places, delays, switched, .. } = &self.state;
-        let from = Begin { node: *node, places: *places, delays, switched: *switched };
+        let from = ActionStart { node: *node, places: *places, delays, switched: *switched };
         self.robots.go(&from, action, &|_| {})
     }
 
@@ -548,9 +552,9 @@ impl<P: Plant> Simulation<P> {
         &mut self,
         walks: &Walks,
         (who, action): (Who, Action),
-        sensed: &Sensed,
+        sensed: &InputTrace,
         node: NodeId,
-        told: &mut Told,
+        told: &mut ActionFindings,
         coverage: &mut Coverage,
     ) -> Result<(), PlantError> {
         let world = Arc::clone(&self.world);
@@ -566,7 +570,7 @@ impl<P: Plant> Simulation<P> {
                 self.befallen(walks, sibling, sensed, node, coverage)?
             } else {
                 // Another posture may get to another door.
-                let Gone { walks, sensed, advanced } = self.go(sibling)?;
+                let CarriedOut { walks, sensed, advanced } = self.go(sibling)?;
                 let Advanced::To(node) = advanced else { continue };
                 self.befallen(&walks, sibling, &sensed, node, coverage)?
             };
@@ -581,15 +585,15 @@ impl<P: Plant> Simulation<P> {
         &mut self,
         walks: &Walks,
         action: Action,
-        sensed: &Sensed,
+        sensed: &InputTrace,
         node: NodeId,
         coverage: &mut Coverage,
-    ) -> Result<Befallen, PlantError> {
+    ) -> Result<ActionHazards, PlantError> {
         let mut each = Vec::new();
         for (who, _) in walks.each() {
             each.push(self.of_one(walks, (who, action), sensed, node, coverage)?);
         }
-        Ok(Befallen::of(each.iter()))
+        Ok(ActionHazards::of(each.iter()))
     }
 
     /// What one of the people meets in the action into `node`, as if they were alone, remembered or looked for.
@@ -597,11 +601,11 @@ impl<P: Plant> Simulation<P> {
         &mut self,
         walks: &Walks,
         (who, action): (Who, Action),
-        sensed: &Sensed,
+        sensed: &InputTrace,
         node: NodeId,
         coverage: &mut Coverage,
-    ) -> Result<Course, PlantError> {
-        let Some(walked) = walks.of(who) else { return Ok(Course::default()) };
+    ) -> Result<PersonCourse, PlantError> {
+        let Some(walked) = walks.of(who) else { return Ok(PersonCourse::default()) };
         let own = action.of(who);
         let in_action = |finding: Finding| Finding { actions: vec![action], ..finding };
         if self.options.policy == Policy::Replay {
@@ -617,7 +621,7 @@ impl<P: Plant> Simulation<P> {
             let before = self.robots.take_reached();
             let mut counted = Coverage::new(self.world.cell.sensors.len());
             let met = self.look((who, walked), own, sensed, node, &mut counted)?;
-            let look = Arc::new(Look { met, coverage: counted, reached: self.robots.take_reached() });
+            let look = Arc::new(ContactCheck { met, coverage: counted, reached: self.robots.take_reached() });
             self.robots.add_reached(&before);
             if self.looks.len() >= OUTCOMES_KEPT {
                 self.looks.clear();
@@ -634,17 +638,17 @@ impl<P: Plant> Simulation<P> {
         &mut self,
         (who, walked): (Who, &WalkTrace),
         action: Action,
-        sensed: &Sensed,
+        sensed: &InputTrace,
         node: NodeId,
         coverage: &mut Coverage,
-    ) -> Result<Course, PlantError> {
+    ) -> Result<PersonCourse, PlantError> {
         let frames = self.robots.frames(node);
         let world = Arc::clone(&self.world);
         let own = world.of(who).unwrap_or(&world.first);
-        let (mut met, mut struck) = (Course::default(), self.state.struck);
+        let (mut met, mut struck) = (PersonCourse::default(), self.state.struck);
         for i in 0..frames.len() {
             let when = (self.state.actions.len(), i);
-            let stance = Stance { struck, ..own.stance(walked, when, action.posture(), sensed) };
+            let stance = PersonState { struck, ..own.stance(walked, when, action.posture(), sensed) };
             let told = world.any_reports(&sensed.readings[i], &frames[i]);
             let earlier = Instead::new(&mut self.robots, node, i, told);
             let mut instant = world::Instant { frames: &frames, i, earlier };
@@ -669,17 +673,17 @@ impl<P: Plant> Simulation<P> {
 
 /// What is told of an action.
 #[derive(Default)]
-struct Told {
+struct ActionFindings {
     /// Until the first hazard by contact.
     findings: Vec<Finding>,
     /// Clampings behind it.
     behind: Vec<Finding>,
 }
 
-impl Told {
+impl ActionFindings {
     /// Adds what befalls people of whom this is asked; `struck` where a hazard by contact came before.
-    fn add(&mut self, befallen: Befallen, struck: bool, counts: impl Fn(&Finding) -> bool) {
-        let Befallen { ends, noted, clampings } = befallen;
+    fn add(&mut self, befallen: ActionHazards, struck: bool, counts: impl Fn(&Finding) -> bool) {
+        let ActionHazards { ends, noted, clampings } = befallen;
         self.findings.extend(noted.into_iter().chain(ends).filter(&counts));
         let news = clampings.into_iter().filter(|(_, is_told)| struck || !is_told);
         self.behind.extend(news.map(|(finding, _)| finding).filter(counts));

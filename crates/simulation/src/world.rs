@@ -9,21 +9,21 @@ mod following;
 mod instant;
 mod near;
 mod occupant;
+mod operating;
 mod passing;
 mod people;
 mod sensing;
 mod through_plane;
 mod walking;
-mod working;
 
 use std::sync::Arc;
 
-pub use self::instant::{Earlier, Frames, HadTold, Hit, Instant, Stance, Window};
+pub use self::instant::{Frames, Hit, IfSignalled, Instant, PersonState, SignalledRuns, Window};
 pub use self::occupant::Occupant;
+pub use self::operating::OperatedControls;
 pub use self::people::{Places, Walks};
-pub use self::sensing::{Sensed, Sight};
+pub use self::sensing::{InputTrace, RawReadings};
 pub use self::through_plane::Asked;
-pub use self::working::Worked;
 use crate::cell::{Binding, Workcell};
 use crate::hazard::criterion::separation::{Separation, Stop};
 use crate::human::Who;

@@ -10,7 +10,7 @@ use std::time::{Duration, Instant};
 
 mod meter;
 
-pub use meter::worked;
+pub use meter::count_work;
 
 /// What is left to do after somebody asked may take this long.
 const GRACE: Duration = Duration::from_millis(800);

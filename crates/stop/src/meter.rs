@@ -20,7 +20,7 @@ thread_local! {
 
 /// So much was done.
 #[inline]
-pub fn worked(units: usize) {
+pub fn count_work(units: usize) {
     #[cfg(metered)]
     SINCE.with(|since| {
         if let Some(before) = since.get() {
@@ -49,11 +49,11 @@ mod tests {
     #[should_panic(expected = "units of work since anybody looked")]
     fn who_works_too_long_without_looking_is_stopped() {
         // Nobody waits for a thread that never looks.
-        worked(3 * usize::try_from(MOST).unwrap());
+        count_work(3 * usize::try_from(MOST).unwrap());
         for _ in 0..3 {
             looked();
-            worked(usize::try_from(MOST).unwrap());
+            count_work(usize::try_from(MOST).unwrap());
         }
-        worked(1);
+        count_work(1);
     }
 }

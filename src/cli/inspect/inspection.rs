@@ -35,7 +35,7 @@ pub(crate) struct Inspection {
     /// How many variables it has, by causality.
     pub counts: BTreeMap<String, usize>,
     /// Those that are shown.
-    pub variables: Vec<Shown>,
+    pub variables: Vec<VariableInfo>,
     /// What they are for, guessed.
     pub roles: Vec<Guess>,
     /// What a scan needs and nothing here offers.
@@ -46,7 +46,7 @@ pub(crate) struct Inspection {
 
 /// A variable.
 #[derive(Clone, Debug, Serialize)]
-pub(crate) struct Shown {
+pub(crate) struct VariableInfo {
     /// Its name.
     pub name: String,
     /// Input, output and so on.
@@ -334,7 +334,7 @@ fn capabilities(d: &ModelDescription) -> BTreeMap<&'static str, String> {
     all
 }
 
-fn shown(d: &ModelDescription, v: &Variable) -> Shown {
+fn shown(d: &ModelDescription, v: &Variable) -> VariableInfo {
     let mut kind = d.version().map_or_else(|| v.scalar.to_string(), |version| v.type_name(version));
     if let Some(extents) = d.extents(v).filter(|e| !e.is_empty()) {
         let extents: Vec<String> = extents.iter().map(ToString::to_string).collect();
@@ -344,5 +344,11 @@ fn shown(d: &ModelDescription, v: &Variable) -> Shown {
         VariableType::Real { unit, .. } => unit.clone(),
         _ => None,
     };
-    Shown { name: v.name.clone(), causality: v.causality.to_string(), kind, unit, description: v.description.clone() }
+    VariableInfo {
+        name: v.name.clone(),
+        causality: v.causality.to_string(),
+        kind,
+        unit,
+        description: v.description.clone(),
+    }
 }

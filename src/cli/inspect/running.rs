@@ -19,12 +19,12 @@ use crate::cli::exit::{FMU_FAILED, Failure, NO_HAZARD};
 use crate::cli::output::{self, Format};
 use crate::cli::subject::Subject;
 use crate::fmi::number;
-use crate::host::isolation::{Examination, Isolated, Keeping, Launcher, Unpacked, affordable, examine};
+use crate::host::isolation::{Examination, Isolated, Launcher, Unpacked, WorkerRestore, affordable, examine};
 use crate::host::port::PortKind;
 use crate::host::selftest::{SelfTest, Stage};
 use crate::host::{Plant, PlantError, SystemSetup};
 use crate::scan::prepare::prepare_in;
-use crate::scan::probe::{Effect, Moment, Prober, RUN_S, Reaction, Reported, Run, probe_inputs};
+use crate::scan::probe::{Effect, Moment, ProbeRun, Prober, RUN_S, Reaction, Reported, probe_inputs};
 use crate::scan::speeds::Speeds;
 use crate::scan::{Hosting, PrepareError};
 
@@ -34,7 +34,7 @@ const TRUST: &str = "`fmi-hazard inspect --self-test` tries it in parts; an FMU 
 
 /// What is printed as JSON.
 #[derive(Serialize)]
-struct Told {
+struct ProbeOutput {
     /// Whether a cell file said what is what.
     with_cell: bool,
     /// What speeds are measured in.
@@ -75,11 +75,11 @@ pub(super) fn run(arguments: &Arguments) -> Result<u8, Failure> {
     Ok(if told.self_test.repeatable() { NO_HAZARD } else { FMU_FAILED })
 }
 
-fn of_cell(arguments: &Arguments, hosting: &Hosting) -> Result<Told, Failure> {
+fn of_cell(arguments: &Arguments, hosting: &Hosting) -> Result<ProbeOutput, Failure> {
     let prepared = prepare_in(&arguments.path, arguments.cell.as_deref(), hosting)?;
     let found = probe_inputs(&prepared).map_err(failed)?;
     let speeds = Speeds::new(&prepared.cell, &prepared.binding, &found.motion).sentences();
-    Ok(Told {
+    Ok(ProbeOutput {
         with_cell: true,
         unit: "m/s",
         fastest: found.fastest_m_s,
@@ -102,7 +102,7 @@ fn failed(error: PlantError) -> Failure {
     }
 }
 
-fn of_fmu(path: &Path, hosting: &Hosting) -> Result<Told, Failure> {
+fn of_fmu(path: &Path, hosting: &Hosting) -> Result<ProbeOutput, Failure> {
     let Hosting::Workers { program, guard, limits } = hosting else {
         return Err(Failure::unusable_with_help(
             "an FMU without a cell file is run in worker processes only",
@@ -129,7 +129,7 @@ fn of_fmu(path: &Path, hosting: &Hosting) -> Result<Told, Failure> {
     };
     let plant = |inputs: &[f64]| {
         let setup = SystemSetup { initial_inputs: inputs.to_vec(), ..setup.clone() };
-        Isolated::new(launcher.clone().with_setup(setup), Keeping::Processes)
+        Isolated::new(launcher.clone().with_setup(setup), WorkerRestore::Processes)
     };
     let run_s = subject.ends_s().map_or(RUN_S, |stop| RUN_S.min(stop));
     let prober = Prober::new(&plant, step_s, run_s, &speeds);
@@ -149,7 +149,7 @@ fn of_fmu(path: &Path, hosting: &Hosting) -> Result<Told, Failure> {
         warnings
             .push("nothing moves, whatever Boolean input is set: other inputs or parameters may have to be".to_owned());
     }
-    Ok(Told {
+    Ok(ProbeOutput {
         with_cell: false,
         unit,
         fastest: idle.fastest(),
@@ -206,7 +206,7 @@ fn moving<P: Plant>(
     setup: &SystemSetup,
     names: &[String],
     roles: &[Guess],
-) -> Result<(Vec<f64>, Run, Vec<String>), PlantError> {
+) -> Result<(Vec<f64>, ProbeRun, Vec<String>), PlantError> {
     let start = setup.initial_inputs.clone();
     let boolean = |column: &usize| setup.inputs[*column].port.kind == PortKind::Boolean;
     let columns: Vec<usize> = (0..setup.inputs.len()).filter(boolean).collect();
@@ -247,7 +247,7 @@ fn moving<P: Plant>(
 /// Most inputs that are named because they were not tried.
 const NAMED: usize = 12;
 
-fn render(told: &Told) -> String {
+fn render(told: &ProbeOutput) -> String {
     let mut lines = vec![format!("  moves     {:.3} {} at most in {} s", told.fastest, told.unit, number(told.run_s))];
     lines.extend(shortened(told.run_s));
     if !told.set.is_empty() {

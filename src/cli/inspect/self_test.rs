@@ -13,7 +13,7 @@ use crate::fmi::{Fmu, number};
 use crate::host::PlantError;
 use crate::host::activity::Activity;
 use crate::host::isolation::{Examination, Habit, Launcher, Unpacked, affordable, examine, habits};
-use crate::host::selftest::{Agreement, Motion, Rung, SelfTest, selftest};
+use crate::host::selftest::{Agreement, Motion, SelfTest, StateRestore, selftest};
 use crate::scan::{Hosting, PrepareError};
 
 /// Steps of a run unless told otherwise.
@@ -65,7 +65,7 @@ pub(super) fn run(arguments: &Arguments) -> Result<u8, Failure> {
     };
     if arguments.format == Format::Json {
         let states_by = result.repeatable().then(|| result.rung(false));
-        let told = Told { result: &result, habits: &habits, states_by, shortened: shortened.as_deref() };
+        let told = SelfTestOutput { result: &result, habits: &habits, states_by, shortened: shortened.as_deref() };
         output::json_of(&told)?;
     } else {
         output::result(&render(subject.name(), &result, &habits, shortened.as_deref()));
@@ -75,12 +75,12 @@ pub(super) fn run(arguments: &Arguments) -> Result<u8, Failure> {
 
 /// What is printed as JSON.
 #[derive(serde::Serialize)]
-struct Told<'a> {
+struct SelfTestOutput<'a> {
     #[serde(flatten)]
     result: &'a SelfTest,
     habits: &'a [Habit],
     /// How a scan brings states back; nothing if it cannot.
-    states_by: Option<Rung>,
+    states_by: Option<StateRestore>,
     /// Why there were fewer steps than usual.
     #[serde(skip_serializing_if = "Option::is_none")]
     shortened: Option<&'a str>,

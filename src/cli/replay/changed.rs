@@ -18,7 +18,7 @@ pub(super) fn run(arguments: &Arguments, known: &Recorded, wanted: &[Hazard], ch
     let (prepared, free_start) = prepare_unplaced(changed, arguments.elsewhere.cell(), &hosting)?;
     match free_start {
         // It begins where the scan did, not where the cell says.
-        Ok(()) | Err(PrepareError::NoRoom(_) | PrepareError::SeenAtTimes { .. }) => {}
+        Ok(()) | Err(PrepareError::NoRoom(_) | PrepareError::DetectedAtTimes { .. }) => {}
         Err(error) => return Err(error.into()),
     }
     let again = Again::new(&prepared, known)?;

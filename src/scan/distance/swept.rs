@@ -3,8 +3,8 @@
 use crate::geometry::distance::segment_segment;
 use crate::geometry::polygon::contains;
 use crate::geometry::{Solid, Vec3};
-use crate::report::topview::Part;
-use crate::scan::outline::part;
+use crate::report::top_view::LinkFootprint;
+use crate::scan::footprint::part;
 use crate::scan::prepare::Prepared;
 use crate::sim::motion::Comparison;
 use crate::sim::robot::RobotFrame;
@@ -28,7 +28,7 @@ pub(super) struct Near {
 /// A link at one instant.
 struct Piece {
     solid: Solid,
-    seen: Seen,
+    seen: SweptShape,
     /// A circle around it.
     centre: Vec3,
     radius: f64,
@@ -37,7 +37,7 @@ struct Piece {
 }
 
 /// A link from above: within a radius of lines between points, and of the inside if there are more than two.
-struct Seen {
+struct SweptShape {
     points: Vec<Vec3>,
     radius: f64,
 }
@@ -128,16 +128,16 @@ impl Swept {
     }
 }
 
-fn seen(solid: &Solid) -> Seen {
+fn seen(solid: &Solid) -> SweptShape {
     let up = |[x, y]: [f64; 2]| Vec3::new(x, y, 0.0);
     match part(solid) {
-        Part::Capsule(a, b, radius) => Seen { points: vec![up(a), up(b)], radius },
-        Part::Outline(outline) => Seen { points: outline.into_iter().map(up).collect(), radius: 0.0 },
+        LinkFootprint::Capsule(a, b, radius) => SweptShape { points: vec![up(a), up(b)], radius },
+        LinkFootprint::Outline(outline) => SweptShape { points: outline.into_iter().map(up).collect(), radius: 0.0 },
     }
 }
 
 /// What of a link may be between two heights, from above.
-fn between(solid: &Solid, whole: &Seen, [low, high]: [f64; 2]) -> Option<Seen> {
+fn between(solid: &Solid, whole: &SweptShape, [low, high]: [f64; 2]) -> Option<SweptShape> {
     let points: Vec<Vec3> = match solid {
         Solid::Capsule(c) => {
             // The part of the core no farther from these heights than the surface is from the core.
@@ -152,7 +152,7 @@ fn between(solid: &Solid, whole: &Seen, [low, high]: [f64; 2]) -> Option<Seen> {
             if from > to {
                 return None;
             }
-            return Some(Seen {
+            return Some(SweptShape {
                 points: [from, to].map(|share| (c.a + (c.b - c.a) * share).with_z(0.0)).to_vec(),
                 radius: c.radius,
             });
@@ -161,11 +161,11 @@ fn between(solid: &Solid, whole: &Seen, [low, high]: [f64; 2]) -> Option<Seen> {
         Solid::Mesh(mesh) => mesh.surface().triangles().points.iter().map(|point| mesh.pose() * *point).collect(),
     };
     let reaches = points.iter().any(|point| point.z >= low) && points.iter().any(|point| point.z <= high);
-    reaches.then(|| Seen { points: whole.points.clone(), radius: whole.radius })
+    reaches.then(|| SweptShape { points: whole.points.clone(), radius: whole.radius })
 }
 
 /// How far a link is from a line on the floor, m, not less than 0, and from which point of it.
-fn distance(from: Vec3, to: Vec3, seen: &Seen) -> (f64, Vec3) {
+fn distance(from: Vec3, to: Vec3, seen: &SweptShape) -> (f64, Vec3) {
     let points = &seen.points;
     if points.len() > 2 {
         let outline: Vec<[f64; 2]> = points.iter().map(|point| [point.x, point.y]).collect();

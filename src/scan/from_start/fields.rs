@@ -6,7 +6,7 @@ use super::keys::keys;
 use crate::cell::file::format::SearchTable;
 use crate::cell::sensor::kind::Unseen;
 use crate::cell::sensor::{DetectionZone, Placing, Sensor};
-use crate::cell::workcell::{Beginning, Clamping, Control, Link, Obstacle, Robot, SecondPerson, Workcell};
+use crate::cell::workcell::{Clamping, Control, InitialCondition, Link, Obstacle, Robot, SecondPerson, Workcell};
 use crate::geometry::segment_cuboid::segment_cuboid;
 use crate::geometry::{Cuboid, Vec3};
 use crate::hazard::Criteria;
@@ -14,7 +14,7 @@ use crate::hazard::criterion::pressure::LinkContact;
 use crate::hazard::criterion::separation::Separation;
 use crate::human::arm::ArmModel;
 use crate::human::{Arrangement, ControlKind, ControlledBy, Presses};
-use crate::sim::curtain::Curtain;
+use crate::sim::detection_plane::DetectionPlane;
 
 /// What a cell asks that stepping and looking do not answer.
 #[derive(Debug, Default)]
@@ -147,7 +147,7 @@ fn link(Link { name: _, robot: _, joint: _, shape: _, place: _, looks: _, contac
 /// In the way as it is, while its door is closed, and where the FMU has it.
 fn obstacle(Obstacle { name: _, cuboid: _, table: _, opened_by: _, follows: _ }: &Obstacle) {}
 
-fn beginning(Beginning { start: _, lead_in_steps: _ }: &Beginning) {}
+fn beginning(InitialCondition { start: _, lead_in_steps: _ }: &InitialCondition) {}
 
 /// The second person does all that the first does, at the same time.
 fn person(SecondPerson { names: _, start: _, body: _, repertoire: _, held_m: _ }: &SecondPerson) {}
@@ -182,7 +182,7 @@ fn planes_with_room_for_legs(cell: &Workcell) -> Vec<String> {
         return Vec::new();
     }
     let obstacles: Vec<Cuboid> = cell.standing(Presses::NONE, Arrangement::NONE);
-    let curtains = Curtain::all(cell, Vec3::ZERO, &obstacles);
+    let curtains = DetectionPlane::all(cell, Vec3::ZERO, &obstacles);
     let some = curtains.iter().filter(|c| !c.hands_only && !c.lets_below && c.closed.has_room_below());
     some.map(|curtain| cell.sensors[curtain.sensor].name.clone()).collect()
 }

@@ -3,8 +3,8 @@
 //! them is taken apart in `fields`.
 
 use crate::cell::file::format::{
-    CellFile, ControlTable, CriteriaTable, EvaluatedTable, HumanTable, ObstacleTable, People, SecondTable, SensorTable,
-    StartAreaTable, StartTable, ZoneTable,
+    CellFile, ControlTable, CriteriaTable, DetectionZoneTable, EvaluatedTable, HumanTable, ObstacleTable, People,
+    SecondTable, SensorTable, StartAreaTable, StartTable,
 };
 
 /// All of them.
@@ -86,7 +86,7 @@ fn sensor(table: &SensorTable) {
     } = table;
     if let Some(zone) = zone {
         // A field that somebody low may be under is told.
-        let ZoneTable { polygon_m: _, line_m: _, height_m: _, heights_m: _ } = zone.get_ref();
+        let DetectionZoneTable { polygon_m: _, line_m: _, height_m: _, heights_m: _ } = zone.get_ref();
     }
     if let Some(evaluated) = evaluated {
         // Asked in every sequence.

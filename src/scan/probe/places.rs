@@ -17,7 +17,7 @@ use crate::scan::hosting::StateChoice;
 use crate::scan::prepare::Prepared;
 use crate::sim::World;
 use crate::sim::robot::RobotFrame;
-use crate::sim::sensors::{Seen, input_row};
+use crate::sim::sensors::{SensorTarget, input_row};
 
 /// Places along each side of the area in which the person is put.
 const ALONG: u8 = 5;
@@ -94,7 +94,7 @@ fn stay(cell: &Workcell) -> usize {
 fn standing(prepared: &Prepared, position: Vec3, heading_rad: f64) -> Vec<f64> {
     let (cell, binding) = (&prepared.cell, &prepared.binding);
     let feet = cell.body.feet(position, heading_rad);
-    let seen = Seen { feet, besides: None, body: None, position, heading_rad };
+    let seen = SensorTarget { feet, besides: None, body: None, position, heading_rad };
     let mut row = Vec::new();
     input_row(cell, binding, &vec![false; cell.sensors.len()], &seen, Presses::NONE, &mut row);
     row

@@ -43,14 +43,14 @@ struct Instant {
 }
 
 /// A run with nobody detected.
-struct Seen<'a> {
+struct IdleRun<'a> {
     prepared: &'a Prepared,
     instants: Vec<Instant>,
 }
 
 /// What is odd about a run with nobody detected, given by its outputs; whether robots stand still is told of long runs.
 pub(super) fn odd(prepared: &Prepared, rows: &[f64], is_long: bool) -> Vec<String> {
-    let seen = Seen::new(prepared, rows);
+    let seen = IdleRun::new(prepared, rows);
     let mut told = seen.angles();
     told.extend(seen.through_obstacles());
     told.extend(seen.through_the_floor());
@@ -62,7 +62,7 @@ pub(super) fn odd(prepared: &Prepared, rows: &[f64], is_long: bool) -> Vec<Strin
     told
 }
 
-impl<'a> Seen<'a> {
+impl<'a> IdleRun<'a> {
     fn new(prepared: &'a Prepared, rows: &[f64]) -> Self {
         let (cell, binding) = (&prepared.cell, &prepared.binding);
         let width = binding.outputs.len();

@@ -78,7 +78,7 @@ mod tests {
         &[
             "crates/simulation/src/world/occupant.rs",
             "crates/simulation/src/world/sensing.rs",
-            "crates/simulation/src/world/working.rs",
+            "crates/simulation/src/world/operating.rs",
         ],
     ];
 

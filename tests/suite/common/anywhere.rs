@@ -5,10 +5,10 @@ use std::path::Path;
 
 use super::guarded::bar;
 use super::write;
-use fmi_hazard::record::anywhere::Anywhere;
+use fmi_hazard::record::reachability::ReachabilityResult;
 use fmi_hazard::scan::StateChoice;
-use fmi_hazard::scan::anywhere::{Effort, Looked, Tell, Until, anywhere};
 use fmi_hazard::scan::prepare::prepare;
+use fmi_hazard::scan::reachability::{AnalysisLimits, AnalysisResult, EventSink, Until, analyse};
 use fmi_hazard::sim::answers::Answers;
 
 /// A short bar that turns fast enough to hurt, at a height, with these parts around it.
@@ -49,18 +49,22 @@ pub fn two_bars(wired: [&str; 2]) -> String {
 }
 
 /// What is found from anywhere until then, on so many threads.
-pub fn look(dir: &Path, text: &str, until_s: f64, workers: usize) -> Anywhere {
+pub fn look(dir: &Path, text: &str, until_s: f64, workers: usize) -> ReachabilityResult {
     look_at(&write(dir, "cell.toml", text), until_s, workers)
 }
 
 /// The same of a cell file.
-pub fn look_at(path: &Path, until_s: f64, workers: usize) -> Anywhere {
+pub fn look_at(path: &Path, until_s: f64, workers: usize) -> ReachabilityResult {
     look_with((path, until_s, workers), &Answers::default(), &mut |_| ControlFlow::Continue(())).found
 }
 
 /// The same with what is known and kept, and who may end it.
-pub fn look_with((path, until_s, workers): (&Path, f64, usize), answers: &Answers, tell: &mut Tell<'_>) -> Looked {
+pub fn look_with(
+    (path, until_s, workers): (&Path, f64, usize),
+    answers: &Answers,
+    tell: &mut EventSink<'_>,
+) -> AnalysisResult {
     let until = Until::Seconds(until_s);
-    let effort = Effort { until, workers, most_states: 100_000, presses: 1, state: StateChoice::Auto, answers };
-    anywhere(&prepare(path, None).unwrap(), effort, tell).unwrap()
+    let effort = AnalysisLimits { until, workers, most_states: 100_000, presses: 1, state: StateChoice::Auto, answers };
+    analyse(&prepare(path, None).unwrap(), effort, tell).unwrap()
 }

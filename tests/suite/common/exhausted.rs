@@ -8,7 +8,7 @@ use fmi_hazard::hazard::Finding;
 use fmi_hazard::host::{Hosted, PlantError};
 use fmi_hazard::human::{Action, Repertoire};
 use fmi_hazard::scan::{Prepared, StateChoice};
-use fmi_hazard::search::exhaustive::{Account, Before, Budget, Expanded, Expansion, Told, exhaust};
+use fmi_hazard::search::exhaustive::{Account, Budget, Expanded, Expansion, PriorState, SearchEvent, exhaust};
 use fmi_hazard::sequences::{Expander, Merge, State};
 
 /// No bound, and what is too far away is dropped.
@@ -34,7 +34,7 @@ where
 {
     let mut found = Unsafe::new();
     let account = exhaust(expansion, budget, &mut |told| {
-        if let Told::Met(met) = told {
+        if let SearchEvent::UnsafeState(met) = told {
             *found.entry(key(&met.unsafe_state)).or_default() += u128::try_from(met.sequences).unwrap();
         }
         ControlFlow::Continue(())
@@ -74,7 +74,7 @@ impl Expansion for Few {
     fn expand(
         &mut self,
         depth: usize,
-        states: &[(&State, Before)],
+        states: &[(&State, PriorState)],
         go_on: &mut dyn FnMut() -> bool,
     ) -> Result<Option<Vec<Expanded<State, Finding>>>, PlantError> {
         let Some(mut all) = self.0.expand(depth, states, go_on)? else { return Ok(None) };

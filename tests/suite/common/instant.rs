@@ -7,13 +7,13 @@ use super::guarded::guarded;
 use super::write;
 use fmi_hazard::geometry::Vec3;
 use fmi_hazard::host::Plant as _;
-use fmi_hazard::human::{Field, Presses};
-use fmi_hazard::reachability::{Anywhere as Search, History, Seen as AnInstant};
+use fmi_hazard::human::{DistanceField, Presses};
+use fmi_hazard::reachability::{History, ReachabilitySearch as Search, ReachableInstant as AnInstant};
 use fmi_hazard::scan::StateChoice;
 use fmi_hazard::scan::prepare::{Prepared, prepare};
 use fmi_hazard::search::Rng;
 use fmi_hazard::sim::robot::RobotFrame;
-use fmi_hazard::sim::sensors::{Seen, input_row};
+use fmi_hazard::sim::sensors::{SensorTarget, input_row};
 use fmi_hazard::stop::Stop;
 use tempfile::TempDir;
 
@@ -72,8 +72,8 @@ impl Instant {
             readings: vec![reading; self.prepared.cell.sensors.len()],
             links: vec![true].into(),
             fields: [
-                Field::from(floor, &sources, &open, f64::INFINITY, &Stop::default()).unwrap(),
-                Field::at_once(floor, &open),
+                DistanceField::from(floor, &sources, &open, f64::INFINITY, &Stop::default()).unwrap(),
+                DistanceField::at_once(floor, &open),
             ]
             .map(Arc::new),
             seen: vec![AnInstant {
@@ -89,7 +89,13 @@ impl Instant {
     }
 }
 
-pub fn seen(prepared: &Prepared, [x, y]: [f64; 2], heading_rad: f64) -> Seen {
+pub fn seen(prepared: &Prepared, [x, y]: [f64; 2], heading_rad: f64) -> SensorTarget {
     let position = Vec3::new(x, y, 0.0);
-    Seen { feet: prepared.cell.body.feet(position, heading_rad), besides: None, body: None, position, heading_rad }
+    SensorTarget {
+        feet: prepared.cell.body.feet(position, heading_rad),
+        besides: None,
+        body: None,
+        position,
+        heading_rad,
+    }
 }

@@ -8,12 +8,14 @@
 //! - [`binding`]: names of the cell file to variables of the FMU, with units and types checked
 //! - [`find`]: where the cell of an FMU is looked for
 //! - [`draft`]: a first cell file, from what the variables of an FMU seem to be for
-//! - [`knob`]: what in a cell can be turned to make it safer
+//! - [`design_parameter`]: what in a cell may be changed to reduce its risks
 //! - [`error`]: messages that point into a file; `hash`: what tells one file from another
 //!
 //! `binding` and `file` do not know each other; `find` puts them together. Nothing here runs an FMU.
 
+pub mod appearance;
 pub mod binding;
+pub mod design_parameter;
 pub mod draft;
 pub mod error;
 pub mod file;
@@ -21,8 +23,6 @@ pub mod find;
 pub mod following;
 pub mod foreign;
 mod hash;
-pub mod knob;
-pub mod looks;
 pub mod sensor;
 pub mod workcell;
 

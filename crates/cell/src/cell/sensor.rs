@@ -130,9 +130,9 @@ mod tests {
     use super::kind::{Change, Key, Zoned};
     use super::rules::{From, Standing};
     use super::*;
+    use crate::cell::design_parameter::{DesignParameters, Encounter};
     use crate::cell::error::Source;
     use crate::cell::file::validate::validate;
-    use crate::cell::knob::{Encounter, Knobs};
     use crate::cell::workcell::Workcell;
     use crate::standards::iso_13855::Edition;
 
@@ -174,7 +174,7 @@ mod tests {
         for kind in KINDS {
             let (text, encounter) = (text(*kind), Encounter { person_m: [0.0, -3.0], robot: 0 });
             let table: toml::Table = text.parse().unwrap();
-            let knobs = Knobs::of(&cell(&text), &table, &[], &encounter).turned;
+            let knobs = DesignParameters::of(&cell(&text), &table, &[], &encounter).turned;
             let words: Vec<String> = knobs.iter().map(|knob| knob.words(1)).collect();
             let of_it = words.iter().filter(|words| words.contains("safeguard")).count();
             // What begins on the floor is down there.

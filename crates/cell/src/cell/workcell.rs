@@ -57,7 +57,7 @@ pub struct Workcell {
     /// What of the person's pose goes to the FMU.
     pub pose: Vec<PoseQuantity>,
     /// Where and when the person may begin; each is searched by itself.
-    pub beginnings: Vec<Beginning>,
+    pub beginnings: Vec<InitialCondition>,
     /// Which of them this is about, from 0.
     pub beginning: usize,
     /// The starts of the beginnings of one time, as a cell file gives them: those by themselves, then those of areas.
@@ -146,14 +146,14 @@ pub struct StartArea {
 
 /// Where and when the person begins.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Beginning {
+pub struct InitialCondition {
     /// Where the person stands and looks.
     pub start: Start,
     /// Communication steps from the FMU's own start until the person begins.
     pub lead_in_steps: usize,
 }
 
-impl Beginning {
+impl InitialCondition {
     /// Time from the FMU's own start until the person begins, s.
     #[must_use]
     #[expect(clippy::cast_precision_loss, reason = "an hour of small steps at most")]
@@ -433,7 +433,7 @@ impl Workcell {
 
     /// The same with another of its beginnings, which there must be.
     #[must_use]
-    pub fn beginning_at(mut self, number: usize) -> Self {
+    pub fn initial_condition_at(mut self, number: usize) -> Self {
         self.beginning = number;
         self.start = self.beginnings[number].start;
         self

@@ -49,7 +49,7 @@ pub(super) fn instantiate(slave: &Slave, functions: &Functions, name: &str, even
 }
 
 /// What one `fmi3DoStep` said.
-struct Part {
+struct DoStepResult {
     reached: f64,
     event: bool,
 }
@@ -112,7 +112,7 @@ impl Raw {
     }
 
     /// One `fmi3DoStep`.
-    fn part(&mut self, f: &Functions, time: f64, step: f64) -> Result<Part, Error> {
+    fn part(&mut self, f: &Functions, time: f64, step: f64) -> Result<DoStepResult, Error> {
         let (mut event, mut end, mut early) = (0, 0, 0);
         let mut reached = NOT_WRITTEN;
         // SAFETY: the instance is alive and in Step Mode; the results are written during the call. States from before
@@ -143,7 +143,7 @@ impl Raw {
         if end != 0 {
             return Err(self.ended(reached));
         }
-        Ok(Part { reached, event: event != 0 })
+        Ok(DoStepResult { reached, event: event != 0 })
     }
 
     /// An FMU wants an event to be handled that was told that no Event Mode is used. One that has none handles its events itself, and

@@ -1,8 +1,8 @@
 //! FMUs in this process or in a worker, as one [`Plant`].
 
 use super::isolation::{self, Isolated};
-use super::plant::{Arrived, Begins, Fingerprint, Leg, Plant, PlantError, Reads, Stepped, Then};
-use super::recall::{Effort, Recall};
+use super::plant::{Arrived, Fingerprint, Leg, LegStart, Plant, PlantError, Reads, Stepped, Then};
+use super::recall::{FmuUsage, Recall};
 use super::system::{self, System};
 use crate::stop::Stop;
 
@@ -37,8 +37,8 @@ impl Hosted {
 impl Recall<Hosted> {
     /// With the workers that had to be replaced.
     #[must_use]
-    pub const fn effort_of_workers(&self) -> Effort {
-        Effort { workers_replaced: self.plant().replaced(), ..self.effort() }
+    pub const fn effort_of_workers(&self) -> FmuUsage {
+        FmuUsage { workers_replaced: self.plant().replaced(), ..self.effort() }
     }
 }
 
@@ -49,8 +49,8 @@ fn legs_of<'a, C>(
 ) -> Result<Vec<Leg<'a, C>>, PlantError> {
     let one = |leg: &'a Leg<'_, Checkpoint>| {
         let from = match leg.from {
-            Begins::At(saved) => Begins::At(of(saved).ok_or_else(|| PlantError::of("a state of another plant"))?),
-            Begins::After(number) => Begins::After(number),
+            LegStart::At(saved) => LegStart::At(of(saved).ok_or_else(|| PlantError::of("a state of another plant"))?),
+            LegStart::After(number) => LegStart::After(number),
         };
         Ok(Leg { from, steps: leg.steps, inputs: leg.inputs.clone(), reads: leg.reads })
     };

@@ -105,8 +105,8 @@ impl InProcess {
         // No stop time is set: beyond one that is, an FMU has to return an error (FMI 2.0.4, section 2.1.6; FMI 3.0,
         // fmi3EnterInitializationMode). The one of the default experiment is a suggestion, often the length of a demonstration.
         let initializing: Instance<Initializing> =
-            instance.enter_initialization(0.0, None).map_err(|e| no_beginning(&e))?;
-        initializing.exit_initialization().map_err(|e| no_beginning(&e))
+            instance.enter_initialization(0.0, None).map_err(|e| failed_start(&e))?;
+        initializing.exit_initialization().map_err(|e| failed_start(&e))
     }
 
     fn read_row(&mut self) -> Result<Vec<f64>, PlantError> {
@@ -187,7 +187,7 @@ fn failure(error: &fmi::Error, time_s: f64) -> PlantError {
 }
 
 /// The failure of an FMU that does not begin.
-fn no_beginning(error: &fmi::Error) -> PlantError {
+fn failed_start(error: &fmi::Error) -> PlantError {
     PlantError { not_started: true, ..failure(error, 0.0) }
 }
 
@@ -289,7 +289,7 @@ impl Plant for InProcess {
         self.instance = None;
         self.step = 0;
         self.activity.begin(Call::Instantiate, 0);
-        let instance = self.slave.instantiate("cell").map_err(|e| no_beginning(&e))?;
+        let instance = self.slave.instantiate("cell").map_err(|e| failed_start(&e))?;
         self.instance = Some(self.initialise(instance)?);
         self.read_row()
     }

@@ -24,6 +24,6 @@ pub mod selftest;
 pub mod system;
 
 pub use hosted::Hosted;
-pub use plant::{Arrived, Begins, Leg, Plant, PlantError, Reads, Taken, Then, Unlike, for_all_steps};
-pub use recall::{Advanced, Effort, NodeId, Policy, Recall};
+pub use plant::{Arrived, Leg, LegStart, Plant, PlantError, Reads, StateCopy, Then, Unlike, for_all_steps};
+pub use recall::{Advanced, FmuUsage, NodeId, Policy, Recall};
 pub use system::{System, SystemSetup, UnitPort};

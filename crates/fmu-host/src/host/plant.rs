@@ -61,9 +61,9 @@ pub trait Plant {
     ) -> Result<Stepped<Self::Checkpoint>, PlantError> {
         let outputs = self.advance(steps, inputs)?;
         let taken = match then {
-            Then::Nothing => Ok(Taken::Nothing),
-            Then::Fingerprint => self.fingerprint().map(Taken::Fingerprint),
-            Then::Save => self.save().map(Taken::Saved),
+            Then::Nothing => Ok(StateCopy::Nothing),
+            Then::Fingerprint => self.fingerprint().map(StateCopy::Fingerprint),
+            Then::Save => self.save().map(StateCopy::Saved),
         };
         Ok((outputs, taken))
     }
@@ -125,7 +125,7 @@ pub trait Plant {
 #[derive(Debug)]
 pub struct Leg<'a, C> {
     /// Where it begins.
-    pub from: Begins<'a, C>,
+    pub from: LegStart<'a, C>,
     /// How many.
     pub steps: usize,
     /// What the FMU is told, row-major: the last row for the rest of the steps, too.
@@ -169,7 +169,7 @@ impl Reads {
 
 /// Where a leg begins.
 #[derive(Debug)]
-pub enum Begins<'a, C> {
+pub enum LegStart<'a, C> {
     /// At a saved state.
     At(&'a C),
     /// Where an earlier leg of the same message ended, by its number.
@@ -187,14 +187,14 @@ pub(super) fn one_by_one<P: Plant + ?Sized>(
 ) -> Result<(), PlantError> {
     for leg in legs {
         match leg.from {
-            Begins::At(saved) => plant.restore_soon(saved)?,
-            Begins::After(number) => plant.restore_soon(&all[number].1)?,
+            LegStart::At(saved) => plant.restore_soon(saved)?,
+            LegStart::After(number) => plant.restore_soon(&all[number].1)?,
         }
         let inputs = for_all_steps(&leg.inputs, plant.input_count(), leg.steps);
         let (mut outputs, taken) = plant.advance_and(leg.steps, &inputs, Then::Save)?;
         let rows = leg.reads.rows(leg.steps) * plant.output_count();
         outputs.drain(..outputs.len().saturating_sub(rows));
-        let Taken::Saved(saved) = taken? else { return Err(PlantError::of("this plant keeps no states")) };
+        let StateCopy::Saved(saved) = taken? else { return Err(PlantError::of("this plant keeps no states")) };
         all.push((outputs, saved));
     }
     Ok(())
@@ -212,11 +212,11 @@ pub enum Then {
 }
 
 /// Outputs after each step, row-major, and what was taken of the state after the last.
-pub(crate) type Stepped<C> = (Vec<f64>, Result<Taken<C>, PlantError>);
+pub(crate) type Stepped<C> = (Vec<f64>, Result<StateCopy<C>, PlantError>);
 
 /// What was taken of a state right after it was reached.
 #[derive(Debug)]
-pub enum Taken<C> {
+pub enum StateCopy<C> {
     /// Nothing.
     Nothing,
     /// See [`Plant::fingerprint`].
@@ -225,13 +225,13 @@ pub enum Taken<C> {
     Saved(C),
 }
 
-impl<C> Taken<C> {
+impl<C> StateCopy<C> {
     /// The same with another kind of saved state.
-    pub(super) fn map<D>(self, into: impl FnOnce(C) -> D) -> Taken<D> {
+    pub(super) fn map<D>(self, into: impl FnOnce(C) -> D) -> StateCopy<D> {
         match self {
-            Self::Nothing => Taken::Nothing,
-            Self::Fingerprint(print) => Taken::Fingerprint(print),
-            Self::Saved(checkpoint) => Taken::Saved(into(checkpoint)),
+            Self::Nothing => StateCopy::Nothing,
+            Self::Fingerprint(print) => StateCopy::Fingerprint(print),
+            Self::Saved(checkpoint) => StateCopy::Saved(into(checkpoint)),
         }
     }
 }

@@ -8,15 +8,15 @@
 //! Different histories may lead to the same state. With [`Recall::merge_equal_states`] nodes of the same depth whose
 //! serialised states are equal byte for byte are stepped once for all of them; a part of these merges is tried out.
 
-mod way_back;
+mod restore;
 
 use std::collections::BTreeMap;
 use std::sync::Arc;
 
 use serde::Serialize;
 
-use self::way_back::not_repeatable;
-use super::plant::{Plant, PlantError, Taken, Then, Unlike, insist};
+use self::restore::not_repeatable;
+use super::plant::{Plant, PlantError, StateCopy, Then, Unlike, insist};
 
 /// A state of the FMU, named by its input history. Valid for the [`Recall`] that made it.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
@@ -88,7 +88,7 @@ pub(super) fn digest(outputs: &[f64]) -> u64 {
 
 /// What an FMU really did. Depends on how states are brought back and on what happened on the way, so it is no result.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize)]
-pub struct Effort {
+pub struct FmuUsage {
     /// Communication steps.
     pub steps: u64,
     /// Fresh instances.
@@ -99,7 +99,7 @@ pub struct Effort {
     pub workers_replaced: u64,
 }
 
-impl Effort {
+impl FmuUsage {
     /// Both together.
     #[must_use]
     pub const fn and(self, other: Self) -> Self {
@@ -341,8 +341,8 @@ impl<P: Plant> Recall<P> {
 
     /// What the FMU really did so far.
     #[must_use]
-    pub const fn effort(&self) -> Effort {
-        Effort { steps: self.steps_made, restarts: self.restarts, restores: self.restores, workers_replaced: 0 }
+    pub const fn effort(&self) -> FmuUsage {
+        FmuUsage { steps: self.steps_made, restarts: self.restarts, restores: self.restores, workers_replaced: 0 }
     }
 
     /// The plant, to ask it something.
@@ -432,12 +432,12 @@ impl<P: Plant> Recall<P> {
         &mut self,
         depth: usize,
         edge: &[u64],
-        taken: Taken<P::Checkpoint>,
+        taken: StateCopy<P::Checkpoint>,
     ) -> Result<Arrival<P::Checkpoint>, PlantError> {
         let print = match taken {
-            Taken::Nothing => return Ok(Arrival::default()),
-            Taken::Saved(state) => return Ok(Arrival { checkpoint: Some(state), ..Arrival::default() }),
-            Taken::Fingerprint(print) => print,
+            StateCopy::Nothing => return Ok(Arrival::default()),
+            StateCopy::Saved(state) => return Ok(Arrival { checkpoint: Some(state), ..Arrival::default() }),
+            StateCopy::Fingerprint(print) => print,
         };
         let digest = print.map(|print| (depth, print.digest));
         let same = digest.and_then(|digest| self.known.as_ref()?.get(&digest).copied());

@@ -17,7 +17,7 @@ mod agreement;
 mod facts;
 mod motion;
 
-pub use fmu_self_test::{Agreement, Apart, Motion, Rung, SelfTest, Untried};
+pub use fmu_self_test::{Agreement, Apart, Motion, SelfTest, StateRestore, Untried};
 use serde::{Deserialize, Serialize};
 
 use super::activity::Activity;
@@ -212,7 +212,7 @@ pub(super) fn stage(
     #[expect(clippy::expect_used, reason = "the same setup was built in the line before")]
     let fresh = || System::new(slaves, setup.clone()).expect("the connections form no loop").watched(activity);
     let (main, other) = (moving(setup, steps, 0), moving(setup, steps, 1));
-    let again = motion::Run { slaves, setup, steps, inputs: &main, activity };
+    let again = motion::ReferenceRun { slaves, setup, steps, inputs: &main, activity };
     let (width, columns) = (setup.inputs.len(), Columns::of(setup));
     let compare = |run: Result<Vec<f64>, PlantError>| agreement(reference, run, &columns);
     let offers_states = slaves.iter().all(|slave| slave.capabilities().can_get_and_set_state);

@@ -4,7 +4,7 @@
 //! nothing else.
 
 use super::Vec3;
-use crate::stop::worked;
+use crate::stop::count_work;
 
 /// The nearest pair of surface points of two shapes.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -20,7 +20,7 @@ pub struct Closest {
 /// Parameter in `[0, 1]` of the point of the segment `a + t (b - a)` nearest to `point`; 0 for a segment of no length.
 #[must_use]
 pub(crate) fn point_segment_parameter(point: Vec3, a: Vec3, b: Vec3) -> f64 {
-    worked(1);
+    count_work(1);
     let along = b - a;
     let length_squared = along.dot(along);
     if length_squared > 0.0 { ((point - a).dot(along) / length_squared).clamp(0.0, 1.0) } else { 0.0 }
@@ -40,7 +40,7 @@ pub fn point_segment(point: Vec3, a: Vec3, b: Vec3) -> Closest {
 /// conditioned.
 #[must_use]
 pub(crate) fn segment_segment_parameters(p: Vec3, q: Vec3, a: Vec3, b: Vec3) -> (f64, f64) {
-    worked(1);
+    count_work(1);
     let (u, v, w) = (q - p, b - a, p - a);
     let (uu, uv, vv) = (u.dot(u), u.dot(v), v.dot(v));
     let (uw, vw) = (u.dot(w), v.dot(w));

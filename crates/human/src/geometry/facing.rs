@@ -5,7 +5,7 @@
 //! point can be farther beyond one of them than that allows.
 
 use super::Vec3;
-use crate::stop::worked;
+use crate::stop::count_work;
 
 /// See the top of this file.
 #[derive(Debug)]
@@ -54,7 +54,7 @@ impl Facing {
         let far = ends.map(Vec3::length);
         let mut at = 0;
         while let Some(group) = self.groups.get(at) {
-            worked(1);
+            count_work(1);
             let most = [0, 1].map(|end| group.middle.dot(ends[end]) + group.spread * far[end]);
             if most[0].max(most[1]) + ROUNDING_M <= group.least_m {
                 at = group.next;

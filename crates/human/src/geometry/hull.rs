@@ -148,8 +148,8 @@ impl Hull {
         } else {
             match self.shape.nearest(&self.pose, [a, b], far_m + self.margin_m) {
                 Nearest::Beyond(along) => return Err(along),
-                Nearest::Apart(on_first, on_second) => Some(closest(on_first, on_second)),
-                Nearest::Meet => None,
+                Nearest::Separate(on_first, on_second) => Some(closest(on_first, on_second)),
+                Nearest::Intersecting => None,
             }
         };
         Ok(beyond(bare.unwrap_or(touching), self.margin_m))
@@ -222,8 +222,8 @@ impl Hull {
             return Some(self.bare_point_distance(a)).filter(|near| near.distance > 0.0);
         }
         match self.shape.nearest(&self.pose, [a, b], f64::MAX) {
-            Nearest::Apart(on_first, on_second) => Some(closest(on_first, on_second)),
-            Nearest::Beyond(_) | Nearest::Meet => None,
+            Nearest::Separate(on_first, on_second) => Some(closest(on_first, on_second)),
+            Nearest::Beyond(_) | Nearest::Intersecting => None,
         }
     }
 }

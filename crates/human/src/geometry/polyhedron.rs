@@ -18,7 +18,7 @@ use super::facing::{Facing, longest};
 use super::samples::Samples;
 use super::slices::Slices;
 use super::{Capsule, Pose, Vec3};
-use crate::stop::worked;
+use crate::stop::count_work;
 
 /// See the top of this file.
 #[derive(Debug)]
@@ -60,11 +60,11 @@ struct Climb {
 /// How a segment and a polyhedron are to each other.
 pub(super) enum Nearest {
     /// Apart: the nearest point of each.
-    Apart(Vec3, Vec3),
+    Separate(Vec3, Vec3),
     /// Farther apart than asked, along this unit vector from the polyhedron to the segment.
     Beyond(Vec3),
     /// They meet.
-    Meet,
+    Intersecting,
 }
 
 /// Of so many corners at most all are looked at: that is as fast.
@@ -153,7 +153,7 @@ impl Polyhedron {
     /// The corner that reaches farthest along a direction.
     pub(super) fn support(&self, direction: Vec3) -> Vec3 {
         if self.corners().len() <= FEW {
-            worked(looked_at(self.corners().len()));
+            count_work(looked_at(self.corners().len()));
             point_cloud_support_point(direction, self.corners())
         } else {
             self.corners()[self.climb.farthest(self.corners(), direction)]
@@ -163,7 +163,7 @@ impl Polyhedron {
     /// The number of the corner that reaches farthest along a direction.
     pub(super) fn outermost(&self, direction: Vec3) -> usize {
         if self.corners().len() <= FEW {
-            worked(looked_at(self.corners().len()));
+            count_work(looked_at(self.corners().len()));
             point_cloud_support_point_id(direction, self.corners())
         } else {
             self.climb.farthest(self.corners(), direction)
@@ -194,10 +194,10 @@ impl Polyhedron {
         match found {
             // From the polyhedron's frame, as parry gives it elsewhere, to the last bit.
             GJKResult::ClosestPoints(on_segment, on_hull, _) => {
-                Nearest::Apart(on_segment, *pose * pose.inverse_transform_point(on_hull))
+                Nearest::Separate(on_segment, *pose * pose.inverse_transform_point(on_hull))
             }
             GJKResult::NoIntersection(towards) => Nearest::Beyond(-towards),
-            _ => Nearest::Meet,
+            _ => Nearest::Intersecting,
         }
     }
 
@@ -232,7 +232,7 @@ impl Polyhedron {
     /// positive if the segment is outside.
     pub(super) fn shallowest(&self, a: Vec3, b: Vec3) -> (Vec3, f64) {
         let out = |(normal, reach): &(Vec3, f64)| (*normal, reach - normal.dot(a).min(normal.dot(b)));
-        worked(looked_at(self.faces.len()));
+        count_work(looked_at(self.faces.len()));
         let shorter = |one: (Vec3, f64), other: (Vec3, f64)| if other.1 < one.1 { other } else { one };
         self.faces.iter().map(out).fold((Vec3::Z, f64::INFINITY), shorter)
     }
@@ -249,7 +249,7 @@ impl Polyhedron {
         let mut best = (depth, last, normal);
         let length = b - a;
         let unit = length.normalize_or_zero();
-        worked(looked_at(self.edges.len()));
+        count_work(looked_at(self.edges.len()));
         for Edge { ends: [from, to], normals: [one, other] } in &self.edges {
             if one.dot(unit) * other.dot(unit) > PARALLEL {
                 continue;
@@ -319,7 +319,7 @@ impl Climb {
         loop {
             let neighbours = &self.neighbours[self.begins[at as usize]..self.begins[at as usize + 1]];
             let before = at;
-            worked(looked_at(neighbours.len()));
+            count_work(looked_at(neighbours.len()));
             for neighbour in neighbours {
                 let far = corners[*neighbour as usize].dot(direction);
                 if far > best {

@@ -7,7 +7,7 @@
 //! segment.
 
 use super::{Capsule, Closest, Cuboid, Vec3};
-use crate::stop::worked;
+use crate::stop::count_work;
 
 /// How deep inside the box a line has to be before it counts as passing through, metres: a line along a face is free.
 pub(crate) const HIT_DEPTH_M: f64 = 1e-9;
@@ -19,7 +19,7 @@ fn clamp_to_box(point: Vec3, half: Vec3) -> Vec3 {
 
 /// Signed distance and the nearest surface point, in the frame of the box.
 fn point_box_local(point: Vec3, half: Vec3) -> (f64, Vec3) {
-    worked(1);
+    count_work(1);
     let nearest = clamp_to_box(point, half);
     let outside = (point - nearest).length();
     if outside > 0.0 {
@@ -44,7 +44,7 @@ fn point_box_local(point: Vec3, half: Vec3) -> (f64, Vec3) {
 /// box, negative where they overlap along all three.
 #[must_use]
 pub fn segment_cuboid_apart(a: Vec3, b: Vec3, cuboid: &Cuboid) -> f64 {
-    worked(1);
+    count_work(1);
     let box_from_world = cuboid.rotation.inverse();
     let (a, b) = (box_from_world * (a - cuboid.centre), box_from_world * (b - cuboid.centre));
     (a.min(b) - cuboid.half).max(-cuboid.half - a.max(b)).max_element()
@@ -52,7 +52,7 @@ pub fn segment_cuboid_apart(a: Vec3, b: Vec3, cuboid: &Cuboid) -> f64 {
 
 /// Parameter in `[0, 1]` at which the segment `a + t (b - a)` is nearest to a box of half edges `half` about the origin.
 fn segment_box_parameter(a: Vec3, b: Vec3, half: Vec3) -> f64 {
-    worked(2);
+    count_work(2);
     let along = b - a;
     // Half the derivative of the squared distance.
     let slope = |t: f64| {
@@ -116,7 +116,7 @@ pub(crate) fn segment_box_local(a: Vec3, b: Vec3, half: Vec3) -> (f64, f64) {
 
 /// The part of `[0, 1]` in which `a + t (b - a)` lies in the box, if any.
 fn clip_local(a: Vec3, b: Vec3, half: Vec3) -> Option<(f64, f64)> {
-    worked(1);
+    count_work(1);
     let along = b - a;
     let (mut enter, mut leave) = (0.0_f64, 1.0_f64);
     for (start, step, edge) in [(a.x, along.x, half.x), (a.y, along.y, half.y), (a.z, along.z, half.z)] {

@@ -189,7 +189,7 @@ const PIECE_M: f64 = 0.08;
 
 /// Pieces that may still matter in a box: what is settled for a box is settled for all its parts.
 #[derive(Clone)]
-struct Open {
+struct OpenPieces {
     /// For hand and forearm.
     beyond_elbow: Vec<u16>,
     /// For elbow and upper arm; looked at only where the others are settled.
@@ -299,7 +299,7 @@ impl<'a, S: ContactScore> Search<'a, S> {
     fn run(&mut self) -> (bool, u32) {
         let whole = JointBox::whole();
         let all: Vec<u16> = (0..self.pieces.len()).filter_map(|i| u16::try_from(i).ok()).collect();
-        let open = Open { beyond_elbow: all.clone(), near_shoulder: all, hand_was_tried: false };
+        let open = OpenPieces { beyond_elbow: all.clone(), near_shoulder: all, hand_was_tried: false };
         let mut stack = vec![(whole, self.place(whole.middle), open)];
         let mut boxes = 0;
         while let Some((next, placed, mut open)) = stack.pop() {
@@ -338,7 +338,7 @@ impl<'a, S: ContactScore> Search<'a, S> {
     }
 
     /// How far a configuration is from a contact that matters, m, by the piece that is looked at next.
-    fn distance_to_harm(&self, placed: &Placed, open: &Open) -> f64 {
+    fn distance_to_harm(&self, placed: &Placed, open: &OpenPieces) -> f64 {
         let (cutoff, arm) = (self.cutoff(), self.query.arm);
         let beyond_elbow = !open.beyond_elbow.is_empty();
         let open = if beyond_elbow { &open.beyond_elbow } else { &open.near_shoulder };
@@ -372,7 +372,7 @@ impl<'a, S: ContactScore> Search<'a, S> {
     }
 
     /// Judges a box, tries its middle; the joint to split at, or `None` when the box is done.
-    fn look_at(&mut self, b: &JointBox, placed: &Placed, open: &mut Open) -> Option<usize> {
+    fn look_at(&mut self, b: &JointBox, placed: &Placed, open: &mut OpenPieces) -> Option<usize> {
         let arm = self.query.arm;
         let movement = Movement::of(arm, b, placed, self.frame, self.query.carried_m);
         if self.is_known_beyond_elbow(placed, &movement) {

@@ -124,7 +124,7 @@ fn parry_clearance(a: Vec3, b: Vec3, radius: f64, o: &Cuboid) -> f64 {
 }
 
 /// Whether points along the line are inside a box: slow, and independent of the slab test.
-fn line_meets(a: Vec3, b: Vec3, o: &Cuboid) -> bool {
+fn line_intersects(a: Vec3, b: Vec3, o: &Cuboid) -> bool {
     (0..=400).any(|i| {
         let p = o.rotation.inverse() * (a + (b - a) * (f64::from(i) / 400.0) - o.centre);
         p.abs().cmplt(o.half - Vec3::splat(1e-6)).all()
@@ -169,7 +169,8 @@ fn grid_score(scene: &Scene, arm: &ArmModel, side: Side, config: Config) -> f64 
         let fore = core(elbow, wrist) - arm.forearm_radius_m;
         assert!((to.unwrap().distance - fore.max(0.0)).abs() < 1e-4, "kernel and parry disagree");
         let near = link.point_distance(wrist);
-        let line_free = near.distance <= 0.0 || !scene.obstacles.iter().any(|o| line_meets(wrist, near.on_second, o));
+        let line_free =
+            near.distance <= 0.0 || !scene.obstacles.iter().any(|o| line_intersects(wrist, near.on_second, o));
         // A line that has no more room than what is held moves by is not looked for.
         let narrow = |o: &Cuboid| parry_clearance(wrist, near.on_second, 0.001, o) <= tolerance;
         let line_free = line_free && (arm.held_m() <= 0.0 || !scene.obstacles.iter().any(narrow));
@@ -204,9 +205,9 @@ fn verify(scene: &Scene, arm: &ArmModel, side: Side, found: &ArmContact) {
     assert!((pose.transform_point(wrist) - found.wrist).length() < 1e-12);
     for o in &scene.obstacles {
         assert!(parry_clearance(found.elbow, found.wrist, arm.forearm_radius_m, o) > -1e-4, "forearm in an obstacle");
-        assert!(!line_meets(pose.translation, found.elbow, o), "upper arm through an obstacle");
+        assert!(!line_intersects(pose.translation, found.elbow, o), "upper arm through an obstacle");
         if found.segment == ArmSegment::Hand {
-            assert!(!line_meets(found.wrist, found.on_link, o), "a hand through a wall");
+            assert!(!line_intersects(found.wrist, found.on_link, o), "a hand through a wall");
         }
     }
     let Solid::Capsule(link) = &scene.links[found.link] else { unreachable!("capsule scenes") };
@@ -683,7 +684,8 @@ fn a_box_is_done_with_when_the_whole_arm_hardly_moves() {
                 b.middle[joint] = whole.middle[joint] + uniform(&mut rng, -0.9, 0.9) * whole.half[joint];
             }
             let placed = search.place(b.middle);
-            let mut left = Open { beyond_elbow: open.clone(), near_shoulder: open.clone(), hand_was_tried: false };
+            let mut left =
+                OpenPieces { beyond_elbow: open.clone(), near_shoulder: open.clone(), hand_was_tried: false };
             search.best = None;
             let next = search.look_at(&b, &placed, &mut left);
             if left.beyond_elbow.is_empty() || next.is_some() {

@@ -71,7 +71,7 @@ impl RobotCoverage {
 /// Why finding no contact with a robot needs another look.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
 #[serde(rename_all = "snake_case", tag = "what")]
-pub enum NeverMet {
+pub enum NoContactReason {
     /// No action was simulated, so nothing is known.
     NotSimulated,
     /// Nobody could be near it in the time, whatever they did.
@@ -88,7 +88,7 @@ pub enum NeverMet {
     KeptOut,
 }
 
-impl NeverMet {
+impl NoContactReason {
     /// Whether it answers the question all the same: a guard that keeps people out, a start that is prevented.
     #[must_use]
     pub const fn is_shown(self) -> bool {
@@ -133,20 +133,20 @@ impl Coverage {
     ///
     /// It is about the actions that were simulated; whether these were all is another question.
     #[must_use]
-    pub fn never_met(&self, robot: usize) -> Option<NeverMet> {
-        let Some(own) = self.robots.get(robot) else { return Some(NeverMet::NotSimulated) };
+    pub fn no_contact_reason(&self, robot: usize) -> Option<NoContactReason> {
+        let Some(own) = self.robots.get(robot) else { return Some(NoContactReason::NotSimulated) };
         let simulated = self.actions > 0;
         if !own.reachable || (simulated && own.instants_to_walk_to == 0 && own.instants_in_reach == 0) {
-            return Some(NeverMet::TooFar);
+            return Some(NoContactReason::TooFar);
         }
         if !simulated {
-            return Some(NeverMet::NotSimulated);
+            return Some(NoContactReason::NotSimulated);
         }
         if own.top_speed_m_s < STANDSTILL_M_S && !own.moved {
             let controls_worked = self.control_actions.iter().any(|actions| *actions > 0);
-            return Some(NeverMet::NeverMoved { controls_worked });
+            return Some(NoContactReason::NeverMoved { controls_worked });
         }
-        let away = if self.walks_blocked > 0 { NeverMet::KeptOut } else { NeverMet::NeverNear };
+        let away = if self.walks_blocked > 0 { NoContactReason::KeptOut } else { NoContactReason::NeverNear };
         (own.instants_in_reach == 0).then_some(away)
     }
 

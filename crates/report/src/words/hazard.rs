@@ -7,7 +7,7 @@ use fmi_hazard_record::figures::{grouped, plural};
 use fmi_hazard_record::hazard::{Hazard, SensorState, Through};
 use fmi_hazard_record::headline::confirmed_words;
 use fmi_hazard_record::judged::{LimitKind, NONE_ALLOWED, measure_cell};
-use fmi_hazard_record::worked::Working;
+use fmi_hazard_record::operated::OperatedControl;
 
 /// Of one hazard.
 #[derive(Serialize)]
@@ -76,7 +76,7 @@ impl HazardWords {
             shortest: shortest(hazard),
             event: if apart { "too near" } else { "contact" },
             rests: format!("{} stands still", hazard.robot_link),
-            worked: hazard.worked.iter().map(Working::words).collect(),
+            worked: hazard.worked.iter().map(OperatedControl::words).collect(),
         }
     }
 }

@@ -4,9 +4,9 @@ use serde::Serialize;
 
 use super::{Row, Told};
 use crate::covered::{self, Bounds, NO_SENSORS};
-use fmi_hazard_record::anywhere::ANYWHERE;
 use fmi_hazard_record::certificate::{Certificate, Residual};
 use fmi_hazard_record::figures::{grouped, plural};
+use fmi_hazard_record::reachability::REACHABILITY;
 
 /// One part.
 #[derive(Serialize)]
@@ -29,7 +29,7 @@ pub(super) fn parts(told: &Told) -> Vec<Part> {
 }
 
 fn is_from_anywhere(told: &Told) -> bool {
-    told.settings.strategy == ANYWHERE
+    told.settings.strategy == REACHABILITY
 }
 
 /// Rows of those that are there.

@@ -1,7 +1,7 @@
 //! Readings that a machine answers alike: of two stops that do the same it does not matter which one is asked for. Fewer readings are fewer
 //! behaviours, and nothing is taken for nearly the same because the one was asked for and then the other.
 
-use super::{Begins, Hold, Machine, Shown};
+use super::{Begins, Hold, Machine, OutputClass};
 use crate::rng::Rng;
 
 /// States after which all readings are tried.
@@ -46,7 +46,7 @@ pub fn answered_alike<M: Machine>(
             let after = |reading| Hold { from: Begins::After(0), reading, steps: ahead, last: false };
             holds.extend((0..readings).map(after));
             let Some(held) = machine.hold_each(&holds)? else { return Ok(None) };
-            answers.push(held.into_iter().flat_map(|(shown, _)| shown).collect::<Vec<Shown>>());
+            answers.push(held.into_iter().flat_map(|(shown, _)| shown).collect::<Vec<OutputClass>>());
         }
         let is_alike = |one: usize, other: usize| {
             answers[one].iter().zip(&answers[other]).all(|(one, other)| machine.look_alike(*one, *other))

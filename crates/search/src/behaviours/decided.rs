@@ -5,7 +5,7 @@ use std::ops::ControlFlow;
 
 use super::shows::{Shows, ends, shows};
 use super::walks::{Style, Walked, walk};
-use super::{Behaviours, Ended, Extent, Machine, find, longest};
+use super::{BehaviourSearchEnd, Behaviours, Extent, Machine, find, longest};
 use crate::rng::Rng;
 
 /// So long is looked ahead at first, and at most, for what shows late, s.
@@ -26,7 +26,7 @@ const FEWEST_ENDS: usize = 20;
 
 /// What is asked for.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Question {
+pub struct DecisionLimits {
     /// How long a step is, s.
     pub step_s: f64,
     /// So many steps from the start are looked at.
@@ -107,7 +107,7 @@ pub enum Why {
 }
 
 /// What is found, or why not; an error of the machine ends everything.
-pub type Outcome<T, E> = Result<Result<T, Why>, E>;
+pub type DecisionResult<T, E> = Result<Result<T, Why>, E>;
 
 /// All behaviours of a machine, if they stand for all of its histories.
 ///
@@ -115,10 +115,10 @@ pub type Outcome<T, E> = Result<Result<T, Why>, E>;
 /// What the machine reports.
 pub fn decide<M: Machine>(
     machine: &mut M,
-    question: Question,
+    question: DecisionLimits,
     rng: &mut Rng,
     tell: &mut Tell<'_>,
-) -> Outcome<Decided, M::Error> {
+) -> DecisionResult<Decided, M::Error> {
     decide_keeping(machine, question, rng, (&mut None, tell))
 }
 
@@ -128,10 +128,10 @@ pub fn decide<M: Machine>(
 /// What the machine reports.
 pub fn decide_keeping<M: Machine>(
     machine: &mut M,
-    question: Question,
+    question: DecisionLimits,
     rng: &mut Rng,
     (kept, tell): (&mut Option<Behaviours>, &mut Tell<'_>),
-) -> Outcome<Decided, M::Error> {
+) -> DecisionResult<Decided, M::Error> {
     let (shows, held) = match held_for(machine, question, rng)? {
         Ok(held) => held,
         Err(why) => return Ok(Err(why)),
@@ -161,9 +161,9 @@ pub fn decide_keeping<M: Machine>(
 /// What the machine reports.
 pub fn held_for<M: Machine>(
     machine: &mut M,
-    Question { step_s, steps, times_held, .. }: Question,
+    DecisionLimits { step_s, steps, times_held, .. }: DecisionLimits,
     rng: &mut Rng,
-) -> Outcome<(Shows, Vec<usize>), M::Error> {
+) -> DecisionResult<(Shows, Vec<usize>), M::Error> {
     let mut ahead = steps_of(AHEAD_S[0], step_s);
     let shown = loop {
         let Some(shown) = shows(machine, rng, (steps, ahead))? else { return Ok(Err(Why::Unfinished)) };
@@ -181,7 +181,7 @@ pub fn held_for<M: Machine>(
 }
 
 /// Whether a machine may come back to just the same, by where histories end.
-fn comes_back<M: Machine>(machine: &mut M, within: (usize, usize), rng: &mut Rng) -> Outcome<(), M::Error> {
+fn comes_back<M: Machine>(machine: &mut M, within: (usize, usize), rng: &mut Rng) -> DecisionResult<(), M::Error> {
     let Some((ends, different)) = ends(machine, rng, within)? else { return Ok(Err(Why::Unfinished)) };
     let is_lost = ends >= FEWEST_ENDS && 100 * different > MOST_DIFFERENT * ends;
     Ok(if is_lost { Err(Why::HardlyEverSame { different, ends }) } else { Ok(()) })
@@ -190,21 +190,21 @@ fn comes_back<M: Machine>(machine: &mut M, within: (usize, usize), rng: &mut Rng
 /// All behaviours, if there are not too many; those that were found are kept otherwise.
 fn closed<M: Machine>(
     machine: &mut M,
-    Question { most, .. }: Question,
+    DecisionLimits { most, .. }: DecisionLimits,
     held: &[usize],
     (kept, tell): (&mut Option<Behaviours>, &mut Tell<'_>),
-) -> Outcome<Behaviours, M::Error> {
+) -> DecisionResult<Behaviours, M::Error> {
     let mut enough = tell(Now::Held).break_value();
     let found = find(machine, Extent { held, steps: usize::MAX, most }, &mut |behaviours| {
         enough = enough.or_else(|| tell(Now::Behaviours(behaviours)).break_value());
         if enough.is_some() { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }
     })?;
     let why = match found.ended {
-        Ended::Closed | Ended::Steps => return Ok(Ok(found)),
-        Ended::Most => Why::TooMany,
-        Ended::Unfinished => Why::Unfinished,
-        Ended::Asked if enough == Some(Enough::NotInTime) => Why::NotInTime(found.count()),
-        Ended::Asked => Why::Asked,
+        BehaviourSearchEnd::Closed | BehaviourSearchEnd::Steps => return Ok(Ok(found)),
+        BehaviourSearchEnd::Most => Why::TooMany,
+        BehaviourSearchEnd::Unfinished => Why::Unfinished,
+        BehaviourSearchEnd::Asked if enough == Some(Enough::NotInTime) => Why::NotInTime(found.count()),
+        BehaviourSearchEnd::Asked => Why::Asked,
     };
     *kept = Some(found);
     Ok(Err(why))
@@ -220,11 +220,11 @@ pub fn each_walk(steps: usize) -> impl Iterator<Item = (Style, usize, usize)> {
 /// Tries out whether a machine does what its behaviours say, held for so many steps: how many walks that was.
 fn walked<M: Machine>(
     machine: &mut M,
-    Question { steps, .. }: Question,
+    DecisionLimits { steps, .. }: DecisionLimits,
     (found, held): (&Behaviours, usize),
     rng: &mut Rng,
     tell: &mut Tell<'_>,
-) -> Outcome<usize, M::Error> {
+) -> DecisionResult<usize, M::Error> {
     let (mut walked, others) = (0, machine.others());
     for (style, number, long) in each_walk(steps) {
         let drawn = style.drawn(rng, &others, number, (held, long));

@@ -4,14 +4,13 @@
 //! it stays, the machine is followed as it is: merging at every step would hold up whatever moves by less than a width in a step. Only
 //! what has come a long way since may go on as another does that is no farther away, and what comes back to the same as before does.
 //!
-//! What is found stands for what there is but for some widths, if differences do not grow from change to change. [`gap`] tries out how far
+//! What is found stands for what there is but for some widths, if differences do not grow from change to change. [`covers`](super::covers) tries out how far
 //! anything is from what is found.
 
 use std::collections::{BTreeMap, VecDeque};
 use std::ops::ControlFlow;
 
-use super::stays::{Stays, Ways};
-use super::{Begins, Behaviours, Ended, Extent, Hold, Machine, NONE, Number, Shown};
+use super::{Begins, BehaviourSearchEnd, Behaviours, Extent, Hold, Machine, NONE, Number, OutputClass};
 
 /// A machine of which can be told how far apart two things are that it shows.
 pub trait Measured: Machine {
@@ -37,15 +36,15 @@ pub trait Measured: Machine {
     fn place(&self, traits: &[f32]) -> [f32; 3];
 
     /// The number of a row, or of another that is a part of a width from it.
-    fn number(&mut self, row: &[f64], traits: &[f32]) -> Shown;
+    fn number(&mut self, row: &[f64], traits: &[f32]) -> OutputClass;
 
     /// Of those numbers that count and are no farther away than so the one that says most nearly what the machine does, and how nearly, in
     /// widths.
-    fn nearest(&self, traits: &[f32], widths: f32, counts: &dyn Fn(Shown) -> bool) -> Option<(Shown, f32)>;
+    fn nearest(&self, traits: &[f32], widths: f32, counts: &dyn Fn(OutputClass) -> bool) -> Option<(OutputClass, f32)>;
 
     /// By how much what is shown is off from what a row says, in the machine's own measures, and how fast it is by what is shown; nothing
     /// if they cannot be compared.
-    fn off(&self, row: &[f64], shown: Shown) -> Option<(f64, [f64; 2])>;
+    fn off(&self, row: &[f64], shown: OutputClass) -> Option<(f64, [f64; 2])>;
 }
 
 /// Rows, one after the other, and the state after the last, of several holds.
@@ -57,12 +56,8 @@ const SAME: f32 = 1e-4;
 const FAR: f32 = 10.0;
 /// So many runs are gone on with at once.
 const AT_ONCE: usize = 48;
-/// What stands for something may have lasted for so many steps less.
-const LATEST: usize = 4;
-/// A step of that is as bad as so many widths.
-const LATER: f32 = 1.5;
 /// Nothing is looked for farther away, in widths.
-const FARTHEST: f32 = 5.0;
+pub(super) const FARTHEST: f32 = 5.0;
 
 /// Somewhere in a run: a reading is held.
 struct Open<S> {
@@ -140,7 +135,7 @@ impl<'a, M: Measured> Search<'a, M> {
         }
     }
 
-    fn run(&mut self, tell: &mut dyn FnMut(usize) -> ControlFlow<()>) -> Result<Ended, M::Error> {
+    fn run(&mut self, tell: &mut dyn FnMut(usize) -> ControlFlow<()>) -> Result<BehaviourSearchEnd, M::Error> {
         let (state, now) = self.machine.begin_rows()?;
         let now = self.instant(now);
         let shown = self.machine.number(&now.row, &now.traits);
@@ -149,7 +144,7 @@ impl<'a, M: Measured> Search<'a, M> {
         let mut holds = Vec::new();
         let coming = self.found.coming(0).1.to_vec();
         coming.iter().for_each(|reading| self.look_ahead(&state, *reading, &mut holds));
-        let Some(held) = self.machine.rows_each(&holds)? else { return Ok(Ended::Unfinished) };
+        let Some(held) = self.machine.rows_each(&holds)? else { return Ok(BehaviourSearchEnd::Unfinished) };
         let mut held = held.into_iter();
         let ahead: Vec<_> = coming.iter().filter_map(|_| self.ahead(&mut held)).collect();
         let rows = ahead.iter().flat_map(|ahead| &ahead.rows);
@@ -161,24 +156,26 @@ impl<'a, M: Measured> Search<'a, M> {
         }
         while !open.is_empty() {
             if tell(self.found.count()).is_break() {
-                return Ok(Ended::Asked);
+                return Ok(BehaviourSearchEnd::Asked);
             }
             // The oldest runs first: later ones go on as these do.
             open.make_contiguous().sort_by_key(|one: &Open<M::State>| self.runs[one.number as usize].0);
             let some: Vec<Open<M::State>> = open.drain(..AT_ONCE.min(open.len())).collect();
-            let Some(held) = self.machine.rows_each(&self.holds(&some))? else { return Ok(Ended::Unfinished) };
+            let Some(held) = self.machine.rows_each(&self.holds(&some))? else {
+                return Ok(BehaviourSearchEnd::Unfinished);
+            };
             let mut held = held.into_iter();
             for one in some {
                 if self.found.depth(one.number) == self.extent.steps {
-                    return Ok(Ended::Steps);
+                    return Ok(BehaviourSearchEnd::Steps);
                 }
                 self.step(one, &mut held, &mut open);
                 if self.found.count() > self.extent.most {
-                    return Ok(Ended::Most);
+                    return Ok(BehaviourSearchEnd::Most);
                 }
             }
         }
-        Ok(Ended::Closed)
+        Ok(BehaviourSearchEnd::Closed)
     }
 
     /// What is asked of some states in runs.
@@ -357,141 +354,6 @@ pub fn apart(one: &[f32], other: &[f32], most: f32) -> Option<f32> {
 #[expect(clippy::cast_possible_truncation, reason = "some thousand widths")]
 pub fn cell(place: [f32; 3], size: f32) -> [i64; 3] {
     place.map(|at| (at / size).floor() as i64)
-}
-
-/// Readings follow others at any time.
-struct Free(Vec<Vec<(usize, usize)>>);
-
-impl Free {
-    fn new(others: &[Vec<usize>]) -> Self {
-        Self(others.iter().map(|others| others.iter().map(|other| (*other, 0)).collect()).collect())
-    }
-}
-
-impl Ways for Free {
-    fn begins(&self) -> Vec<usize> {
-        vec![0]
-    }
-
-    fn ways(&self) -> usize {
-        self.0.len()
-    }
-
-    fn reading(&self, way: usize) -> usize {
-        way
-    }
-
-    fn next(&self, way: usize) -> &[(usize, usize)] {
-        &self.0[way]
-    }
-
-    fn is_unchanged(&self, _way: usize) -> bool {
-        false
-    }
-}
-
-/// What stands for all that a machine shows: by reading and what is shown, for how long the reading may have lasted.
-pub struct Covers {
-    longest: BTreeMap<(usize, Shown), u32>,
-    most: u32,
-}
-
-impl Covers {
-    /// Of a net, with stays of so many steps at most.
-    #[must_use]
-    pub fn new(found: &Behaviours, most: u32) -> Self {
-        let stays = Stays::find(found, &Free::new(found.others()), most);
-        let mut longest: BTreeMap<(usize, Shown), u32> = BTreeMap::new();
-        #[expect(clippy::cast_possible_truncation, reason = "fewer than are allowed")]
-        for number in 0..found.count() as Number {
-            for reading in 0..found.readings() {
-                if let (Some(next), Some(stay)) = (found.next(number, reading), stays.of(number, reading)) {
-                    let known = longest.entry((reading, found.shown(next))).or_default();
-                    *known = (*known).max(stay.steps);
-                }
-            }
-        }
-        Self { longest, most }
-    }
-
-    /// What stands for a row after a step, with a reading that had lasted for so many steps before it.
-    fn nearest<M: Measured>(&self, machine: &M, row: &[f64], reading: usize, lasted: usize) -> Option<(Shown, usize)> {
-        let traits = machine.traits(row);
-        let lasted = lasted.min(self.most as usize);
-        let mut best: Option<(f32, Shown, usize)> = None;
-        for late in 0..=LATEST {
-            let lasts = |shown: Shown| {
-                let longest = self.longest.get(&(reading, shown));
-                longest.is_some_and(|longest| *longest as usize + late >= lasted)
-            };
-            let left = best.map_or(FARTHEST, |(least, ..)| least) - LATER * late as f32;
-            for widths in [left.min(1.0), left].into_iter().filter(|widths| *widths > 0.0) {
-                if let Some((shown, apart)) = machine.nearest(&traits, widths, &lasts) {
-                    best = Some((apart + LATER * late as f32, shown, late));
-                    break;
-                }
-            }
-        }
-        best.map(|(_, shown, late)| (shown, late))
-    }
-}
-
-/// By how much what stands for something is off.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Off {
-    /// How fast it is by what stands for it, in the machine's own measures.
-    pub fast: f64,
-    /// By how much that is off, in the same.
-    pub by: [f64; 2],
-    /// It has lasted for so many steps less.
-    pub late: usize,
-}
-
-/// How far what a machine shows on a walk is from what stands for it.
-#[derive(Clone, Debug, PartialEq)]
-pub enum Gap {
-    /// No farther than so, in the machine's own measures, by how fast it is.
-    Within(Vec<Off>),
-    /// After so many steps, with so many changes of readings, nothing stands for it.
-    Nothing {
-        /// Steps.
-        steps: usize,
-        /// Changes.
-        changes: usize,
-    },
-    /// A step could not be finished.
-    Unfinished,
-}
-
-/// Walks from the start, through what stands for what is shown.
-///
-/// # Errors
-/// What the machine reports.
-pub fn gap<M: Measured>(machine: &mut M, covers: &Covers, readings: &[(usize, usize)]) -> Result<Gap, M::Error> {
-    let (mut state, _) = machine.begin_rows()?;
-    let (mut all, mut taken, columns) = (Vec::new(), 0, machine.columns());
-    // As long as the same is reported, or what is taken for it.
-    let (mut lasted, mut before) = (0, None);
-    for (changes, (reading, steps)) in readings.iter().enumerate() {
-        let hold = Hold { from: Begins::At(&state), reading: *reading, steps: *steps, last: false };
-        let Some((rows, after)) = machine.rows_each(&[hold])?.and_then(|mut all| all.pop()) else {
-            return Ok(Gap::Unfinished);
-        };
-        let of = machine.taken_for(*reading);
-        for row in rows.chunks(columns) {
-            lasted = if before == Some(of) { lasted + 1 } else { 0 };
-            before = Some(of);
-            taken += 1;
-            let nearest = covers.nearest(machine, row, of, lasted);
-            let off = nearest.and_then(|(shown, late)| Some((machine.off(row, shown)?, late)));
-            let Some(off) = off.map(|((fast, by), late)| Off { fast, by, late }) else {
-                return Ok(Gap::Nothing { steps: taken, changes });
-            };
-            all.push(off);
-        }
-        state = after;
-    }
-    Ok(Gap::Within(all))
 }
 
 #[cfg(test)]

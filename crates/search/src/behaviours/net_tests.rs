@@ -5,6 +5,7 @@ use std::convert::Infallible;
 use std::ops::ControlFlow;
 
 use super::*;
+use crate::behaviours::covers::{Covers, Gap, LATEST, gap};
 use crate::behaviours::walks::Style;
 use crate::behaviours::{AllHeld, any};
 use crate::rng::Rng;
@@ -29,7 +30,7 @@ enum Kind {
 struct Drive {
     kind: Kind,
     rows: Vec<[f64; 2]>,
-    numbers: BTreeMap<[i64; 2], Shown>,
+    numbers: BTreeMap<[i64; 2], OutputClass>,
 }
 
 #[derive(Clone)]
@@ -77,15 +78,15 @@ impl Machine for Drive {
         2
     }
 
-    fn alike(&self, one: Shown, other: Shown) -> bool {
+    fn alike(&self, one: OutputClass, other: OutputClass) -> bool {
         one == other
     }
 
-    fn switches(&self, _: Shown, _: [Shown; 3]) -> bool {
+    fn switches(&self, _: OutputClass, _: [OutputClass; 3]) -> bool {
         false
     }
 
-    fn begin(&mut self) -> Result<(State, Shown), Infallible> {
+    fn begin(&mut self) -> Result<(State, OutputClass), Infallible> {
         Ok((State { phase: 0.0, pace: 1.0, demanded: 0, demands: 0 }, 0))
     }
 
@@ -132,8 +133,8 @@ impl Measured for Drive {
     }
 
     #[expect(clippy::cast_possible_truncation, reason = "a few thousand")]
-    fn number(&mut self, row: &[f64], traits: &[f32]) -> Shown {
-        let next = self.rows.len() as Shown;
+    fn number(&mut self, row: &[f64], traits: &[f32]) -> OutputClass {
+        let next = self.rows.len() as OutputClass;
         let number = *self.numbers.entry([0, 1].map(|n| (4.0 * traits[n]).round() as i64)).or_insert(next);
         if number == next {
             self.rows.push([row[0], row[1]]);
@@ -142,14 +143,14 @@ impl Measured for Drive {
     }
 
     #[expect(clippy::cast_possible_truncation, reason = "a few thousand")]
-    fn nearest(&self, traits: &[f32], widths: f32, counts: &dyn Fn(Shown) -> bool) -> Option<(Shown, f32)> {
-        let all = (0..self.rows.len() as Shown).filter(|shown| counts(*shown));
+    fn nearest(&self, traits: &[f32], widths: f32, counts: &dyn Fn(OutputClass) -> bool) -> Option<(OutputClass, f32)> {
+        let all = (0..self.rows.len() as OutputClass).filter(|shown| counts(*shown));
         let far =
             all.filter_map(|shown| Some((shown, apart(traits, &self.traits(&self.rows[shown as usize]), widths)?)));
         far.min_by(|a, b| a.1.total_cmp(&b.1))
     }
 
-    fn off(&self, row: &[f64], shown: Shown) -> Option<(f64, [f64; 2])> {
+    fn off(&self, row: &[f64], shown: OutputClass) -> Option<(f64, [f64; 2])> {
         let stands = self.rows[shown as usize];
         let by = [(row[0] - stands[0]).abs(), (row[1] - stands[1]).abs()];
         Some((stands[1].abs(), by))
@@ -160,7 +161,7 @@ const EXTENT: Extent<'static> = Extent { held: &[40; 2], steps: usize::MAX, most
 
 fn found(drive: &mut Drive) -> Behaviours {
     let found = find(drive, EXTENT, &mut |_| ControlFlow::Continue(())).unwrap();
-    assert_eq!(found.ended, Ended::Closed, "{:?}: {} instants", drive.kind, found.count());
+    assert_eq!(found.ended, BehaviourSearchEnd::Closed, "{:?}: {} instants", drive.kind, found.count());
     found
 }
 

@@ -3,7 +3,7 @@
 //! States are taken at many moments, right after readings changed and later, two each time: one a step later, or with a step less of one
 //! reading and one more of another before. Of two timers that began a step apart one runs out first.
 
-use super::{Begins, Hold, Machine, Shown};
+use super::{Begins, Hold, Machine, OutputClass};
 use crate::rng::Rng;
 
 /// Moments at which readings begin to change, and pairs of states after that.
@@ -34,7 +34,7 @@ pub(crate) fn shows<M: Machine>(
     (within, ahead): (usize, usize),
 ) -> Result<Option<Shows>, M::Error> {
     let others = machine.others();
-    let mut all: Vec<(Before, Vec<Shown>)> = Vec::new();
+    let mut all: Vec<(ShowsKey, Vec<OutputClass>)> = Vec::new();
     for moment in 0..MOMENTS {
         let quiet = within * moment / MOMENTS + rng.below(within / MOMENTS + 1);
         for pair in 0..PAIRS {
@@ -47,7 +47,7 @@ pub(crate) fn shows<M: Machine>(
         }
     }
     all.sort();
-    let first_unlike = |pair: &[(Before, Vec<Shown>)]| {
+    let first_unlike = |pair: &[(ShowsKey, Vec<OutputClass>)]| {
         let [((coming, one_now), one), ((its, other_now), other)] = pair else { return None };
         let is_alike = coming == its && machine.alike(*one_now, *other_now);
         let unlike = one.iter().zip(other).position(|(one, other)| !machine.alike(*one, *other))?;
@@ -61,7 +61,7 @@ pub(crate) fn shows<M: Machine>(
 }
 
 /// Which readings may come next, and what is shown.
-type Before = (Vec<usize>, Shown);
+type ShowsKey = (Vec<usize>, OutputClass);
 
 /// Readings, each held for some steps: some changes after so many quiet ones.
 fn legs(others: &[Vec<usize>], rng: &mut Rng, (quiet, ahead): (usize, usize)) -> Vec<(usize, usize)> {
@@ -93,7 +93,7 @@ fn looked<M: Machine>(
     machine: &mut M,
     others: &[Vec<usize>],
     (legs, ahead): (&[(usize, usize)], usize),
-) -> Result<Option<(Before, Vec<Shown>)>, M::Error> {
+) -> Result<Option<(ShowsKey, Vec<OutputClass>)>, M::Error> {
     let (start, _) = machine.begin()?;
     let present = legs.last().map_or(0, |(reading, _)| *reading);
     let mut coming = others[present].clone();
@@ -111,7 +111,7 @@ fn looked<M: Machine>(
     holds.extend(coming.iter().map(after));
     let Some(held) = machine.hold_each(&holds)? else { return Ok(None) };
     let now = held[legs.len() - 1].0.last().copied().unwrap_or_default();
-    let runs: Vec<&[Shown]> = held[legs.len()..].iter().map(|(shown, _)| &shown[..]).collect();
+    let runs: Vec<&[OutputClass]> = held[legs.len()..].iter().map(|(shown, _)| &shown[..]).collect();
     // Step by step, so that what differs first is met first.
     let told = (0..ahead).flat_map(|step| runs.iter().map(move |run| run[step])).collect();
     Ok(Some(((coming, now), told)))
@@ -139,7 +139,7 @@ pub(crate) fn ends<M: Machine>(
     (within, ahead): (usize, usize),
 ) -> Result<Option<(usize, usize)>, M::Error> {
     let others = machine.others();
-    let mut all: Vec<Shown> = Vec::new();
+    let mut all: Vec<OutputClass> = Vec::new();
     for _ in 0..HISTORIES / AT_ONCE {
         let (start, _) = machine.begin()?;
         let (mut holds, mut last) = (Vec::new(), Vec::new());

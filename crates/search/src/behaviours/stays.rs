@@ -1,6 +1,6 @@
 //! For how long somebody may have been where, while a machine shows each of its behaviours.
 //!
-//! Readings change as something moves: a [`Ways`]'s ways say which reading may follow which, after how many steps at least. Of each
+//! Readings change as something moves: [`Transitions`] say which reading may follow which, after how many steps at least. Of each
 //! behaviour and way the longest stay is looked for: who stayed longest may be wherever who stayed less long may. Stays are counted up to
 //! a limit, from which on longer ones tell nothing more. How each came about is kept, so that there is a history to show for it.
 
@@ -10,7 +10,7 @@ use super::{Behaviours, Number};
 use crate::tracks::Lasting;
 
 /// The ways to come to readings.
-pub trait Ways {
+pub trait Transitions {
     /// How a run begins: by its number, the ways to come to readings at the very start.
     fn begins(&self) -> Vec<usize>;
 
@@ -69,7 +69,7 @@ impl Stay {
 impl Stays {
     /// Of all behaviours that are known with what follows them, and stays of at most so many steps.
     #[must_use]
-    pub fn find(of: &Behaviours, ways: &dyn Ways, most: u32) -> Self {
+    pub fn find(of: &Behaviours, ways: &dyn Transitions, most: u32) -> Self {
         let mut this = Self { ways: ways.ways(), last: vec![NONE; of.count() * ways.ways()], all: Vec::new() };
         let mut open = VecDeque::new();
         for way in ways.begins() {

@@ -29,7 +29,7 @@ const SOON_TOLD_M: f64 = 0.01;
 const MOST_STEPS: u32 = 1000;
 
 /// What a ray meets.
-struct Met {
+struct RayHit {
     after_m: f64,
     /// Outward unit normal of what is met.
     outward: Vec3,
@@ -182,11 +182,11 @@ impl<'a> Things<'a> {
     }
 
     /// The first that a ray meets within some length; nothing for a ray that begins inside of something.
-    fn met(&self, from: Vec3, along: Vec3, longest_m: f64) -> Option<Met> {
+    fn met(&self, from: Vec3, along: Vec3, longest_m: f64) -> Option<RayHit> {
         if self.neighbours.iter().any(|other| self.frame.links[*other].holds(from)) {
             return None;
         }
-        let mut first: Option<Met> = None;
+        let mut first: Option<RayHit> = None;
         let mut longest = longest_m;
         if self.floor {
             if from.z < 0.0 {
@@ -195,7 +195,7 @@ impl<'a> Things<'a> {
             let after_m = if along.z < 0.0 { -from.z / along.z } else { f64::INFINITY };
             if after_m <= longest {
                 longest = after_m;
-                first = Some(Met { after_m, outward: Vec3::Z, velocity: Vec3::ZERO, against: Against::Floor });
+                first = Some(RayHit { after_m, outward: Vec3::Z, velocity: Vec3::ZERO, against: Against::Floor });
             }
         }
         for &(number, wall) in &self.obstacles {
@@ -204,7 +204,7 @@ impl<'a> Things<'a> {
                 Enters::At(after_m, outward) if after_m <= longest => {
                     longest = after_m;
                     let against = Against::Obstacle(number);
-                    first = Some(Met { after_m, outward, velocity: Vec3::ZERO, against });
+                    first = Some(RayHit { after_m, outward, velocity: Vec3::ZERO, against });
                 }
                 Enters::At(..) | Enters::Never => {}
             }
@@ -237,7 +237,7 @@ impl<'a> Things<'a> {
                     let Some(outward) = solid.outward(&near) else { break };
                     let velocity = self.frame.velocity(other, from + along * after_m);
                     longest = after_m;
-                    first = Some(Met { after_m, outward, velocity, against: Against::Link(other) });
+                    first = Some(RayHit { after_m, outward, velocity, against: Against::Link(other) });
                     break;
                 }
                 after_m += near.distance;

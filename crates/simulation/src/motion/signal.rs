@@ -10,7 +10,7 @@ const ROUGH: [f64; 2] = [0.02, 0.01];
 
 /// What moves.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Part {
+pub enum MovingPart {
     /// A joint, by its place in the cell file.
     Joint(usize),
     /// The origin of a frame, likewise.
@@ -25,7 +25,7 @@ pub struct Signal {
     /// Index of the robot.
     pub robot: usize,
     /// Which part of it.
-    pub part: Part,
+    pub part: MovingPart,
     /// Whether speeds are in rad/s, else in m/s.
     pub turns: bool,
     /// Its mean speed over a step, by component.
@@ -47,7 +47,13 @@ pub(super) fn length(value: &Value) -> f64 {
 
 impl Signal {
     /// Nothing for what has no speed.
-    pub(super) fn new(robot: usize, part: Part, way: Vec<Derived>, speeds: &[Reader], turns: bool) -> Option<Self> {
+    pub(super) fn new(
+        robot: usize,
+        part: MovingPart,
+        way: Vec<Derived>,
+        speeds: &[Reader],
+        turns: bool,
+    ) -> Option<Self> {
         let columns: Option<Vec<Vec<usize>>> = speeds.iter().map(Reader::given).collect();
         let told = columns.is_some().then(|| speeds.to_vec());
         let mut variables = columns.unwrap_or_default().concat();
@@ -102,7 +108,7 @@ pub(super) fn signals(cell: &Workcell, binding: &Binding) -> Vec<Signal> {
                     let limit = limits.reduce(f64::min);
                     let signal = Signal::new(
                         robot,
-                        Part::Joint(joint),
+                        MovingPart::Joint(joint),
                         vec![rate(position, turns)],
                         std::slice::from_ref(speed),
                         turns,
@@ -113,10 +119,10 @@ pub(super) fn signals(cell: &Workcell, binding: &Binding) -> Vec<Signal> {
             MotionBinding::Frames(frames) => {
                 for (number, frame) in frames.iter().enumerate() {
                     let way = frame.position.iter().map(|of| rate(of, false)).collect();
-                    all.extend(Signal::new(robot, Part::Velocity(number), way, &frame.velocity, false));
+                    all.extend(Signal::new(robot, MovingPart::Velocity(number), way, &frame.velocity, false));
                     if frame.orientation != Orientation::Unknown {
                         let way = vec![Derived::Turning { of: frame.orientation.clone() }];
-                        let part = Part::AngularVelocity(number);
+                        let part = MovingPart::AngularVelocity(number);
                         all.extend(Signal::new(robot, part, way, &frame.angular_velocity, true));
                     }
                 }

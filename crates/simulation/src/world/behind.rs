@@ -2,7 +2,7 @@
 //! not end what the robot does: it may push the person on to something that does not give way, and that is worse.
 
 use super::contacts::Posed;
-use super::{Earlier, Hit, Instant, Occupant, Stance, World};
+use super::{Hit, Instant, Occupant, PersonState, SignalledRuns, World};
 use crate::Coverage;
 use crate::encounter::{Encounter, Person};
 use crate::human::Place;
@@ -22,7 +22,7 @@ impl Occupant {
     }
 
     /// The worst clamping at an instant, whatever else is touched.
-    pub(super) fn clamping_near<E: Earlier>(
+    pub(super) fn clamping_near<E: SignalledRuns>(
         &self,
         posed: Posed<'_>,
         instant: &mut Instant<'_, E>,
@@ -36,9 +36,9 @@ impl Occupant {
     }
 
     /// The same of several instants.
-    pub(super) fn clampings<E: Earlier>(
+    pub(super) fn clampings<E: SignalledRuns>(
         &self,
-        stance: &Stance,
+        stance: &PersonState,
         posed: &mut Option<Person>,
         instants: &mut [Instant<'_, E>],
         coverage: &mut Coverage,
@@ -52,9 +52,9 @@ impl Occupant {
     }
 
     /// Puts the worst clamping at the same instant to each of these hits.
-    pub(super) fn with_clampings<E: Earlier>(
+    pub(super) fn with_clampings<E: SignalledRuns>(
         &self,
-        stance: &Stance,
+        stance: &PersonState,
         posed: &mut Option<Person>,
         instants: &mut [Instant<'_, E>],
         hits: &mut [Option<Hit>],

@@ -1,8 +1,8 @@
 //! Whether somebody can touch the robots as they stand at an instant, and what is recorded of it.
 
-use super::instant::{Hit, Instant, Stance, Window};
-use super::through_plane::Runs;
-use super::{Earlier, Occupant};
+use super::instant::{Hit, Instant, PersonState, Window};
+use super::through_plane::PassRuns;
+use super::{Occupant, SignalledRuns};
 use crate::Coverage;
 use crate::encounter::{ArmSpace, Encounter, Person};
 use crate::hazard::finding::Through;
@@ -17,7 +17,7 @@ pub(super) struct Posed<'a> {
     /// Body and arms.
     pub(super) person: &'a Person,
     /// How they stand.
-    pub(super) stance: &'a Stance,
+    pub(super) stance: &'a PersonState,
 }
 
 impl Occupant {
@@ -25,9 +25,9 @@ impl Occupant {
     ///
     /// # Errors
     /// What [`Instant::earlier`] reports; it is asked only where there are light curtains.
-    pub fn contact<E: Earlier>(
+    pub fn contact<E: SignalledRuns>(
         &self,
-        stance: &Stance,
+        stance: &PersonState,
         instant: &mut Instant<'_, E>,
         coverage: &mut Coverage,
     ) -> Result<Option<Hit>, E::Error> {
@@ -53,9 +53,9 @@ impl Occupant {
     ///
     /// # Errors
     /// What [`Instant::earlier`] reports; it is asked only where there are light curtains.
-    pub fn contacts<E: Earlier>(
+    pub fn contacts<E: SignalledRuns>(
         &self,
-        stance: &Stance,
+        stance: &PersonState,
         posed: &mut Option<Person>,
         instants: &mut [Instant<'_, E>],
         coverage: &mut Coverage,
@@ -77,16 +77,16 @@ impl Occupant {
     }
 
     /// Body and arms in a stance, of which `posed` has those of the same place and posture if they are known; it keeps them.
-    pub(super) fn posed<'a>(&self, stance: &Stance, posed: &'a mut Option<Person>) -> &'a Person {
+    pub(super) fn posed<'a>(&self, stance: &PersonState, posed: &'a mut Option<Person>) -> &'a Person {
         let person = posed.take().unwrap_or_else(|| self.person(stance));
         posed.insert(Person { velocity: self.velocity(stance), ..person })
     }
 
     /// Those that end an action, by what is looked for.
-    pub(super) fn ending_contacts<E: Earlier>(
+    pub(super) fn ending_contacts<E: SignalledRuns>(
         &self,
         encounter: &Encounter,
-        stance: &Stance,
+        stance: &PersonState,
         posed: &mut Option<Person>,
         instants: &mut [Instant<'_, E>],
         coverage: &mut Coverage,
@@ -121,7 +121,7 @@ impl Occupant {
 
     /// The same at planes: what arms can do there follows from the stance, so one search asks for the robots of many
     /// instants, each with those that there would be had a plane told of an arm.
-    fn contacts_at_planes<E: Earlier>(
+    fn contacts_at_planes<E: SignalledRuns>(
         &self,
         posed: Posed<'_>,
         instants: &mut [Instant<'_, E>],
@@ -129,20 +129,20 @@ impl Occupant {
         coverage: &mut Coverage,
     ) -> Result<(), E::Error> {
         let at = self.at_planes(posed);
-        let mut open: Vec<(usize, Runs)> = Vec::new();
+        let mut open: Vec<(usize, PassRuns)> = Vec::new();
         for (n, instant) in instants.iter_mut().enumerate() {
             hits[n] = self.body_hit(posed, instant.frame(), coverage);
             if hits[n].is_none() {
-                open.push((n, Runs::all(&at, instant)?));
+                open.push((n, PassRuns::all(&at, instant)?));
             }
         }
-        let mut groups: Vec<&mut [(usize, Runs)]> = vec![&mut open];
+        let mut groups: Vec<&mut [(usize, PassRuns)]> = vec![&mut open];
         while let Some(group) = groups.pop() {
             match group {
                 [] => {}
                 [(n, runs)] => hits[*n] = self.reach_past_planes(&at, runs, &mut instants[*n], coverage)?,
                 _ => {
-                    let runs: Vec<&Runs> = group.iter().map(|(_, runs)| runs).collect();
+                    let runs: Vec<&PassRuns> = group.iter().map(|(_, runs)| runs).collect();
                     if !self.none_reaches_past_planes(&at, &runs, coverage) {
                         let (first, second) = group.split_at_mut(group.len() / 2);
                         groups.extend([second, first]);
@@ -162,7 +162,7 @@ impl Occupant {
     }
 
     /// The unsafe contact at an instant, whether or not a robot is near: of the body, and, where they are asked for, of the arms.
-    pub(super) fn contact_near<E: Earlier>(
+    pub(super) fn contact_near<E: SignalledRuns>(
         &self,
         posed: Posed<'_>,
         instant: &mut Instant<'_, E>,
@@ -179,7 +179,7 @@ impl Occupant {
             return Ok(found.map(|found| Hit::new(found, frame)));
         }
         let at = self.at_planes(posed);
-        self.reach_past_planes(&at, &mut Runs::new(&at), instant, coverage)
+        self.reach_past_planes(&at, &mut PassRuns::new(&at), instant, coverage)
     }
 
     /// What is recorded of a hit after step `i` of the last of `taken` actions, while sensors report so ([`World::readings`]).
@@ -189,7 +189,7 @@ impl Occupant {
     pub fn finding(
         &self,
         hit: &Hit,
-        stance: &Stance,
+        stance: &PersonState,
         mut sensors: Vec<bool>,
         (taken, i): (usize, usize),
     ) -> Option<Finding> {

@@ -11,7 +11,7 @@ use crate::robot::RobotFrame;
 
 /// The person at the end of a communication step, as far as contacts depend on it.
 #[derive(Clone, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
-pub struct Stance {
+pub struct PersonState {
     /// Who it is.
     pub who: Who,
     /// Where the person stands.
@@ -28,7 +28,7 @@ pub struct Stance {
     pub struck: bool,
 }
 
-impl Stance {
+impl PersonState {
     /// Whether body and arms are the same in both.
     #[must_use]
     pub fn poses_as(&self, other: &Self) -> bool {
@@ -75,7 +75,7 @@ pub struct Window {
 
 /// Something of the run in which planes told of an arm besides.
 #[derive(Clone, Debug, PartialEq, Eq, PartialOrd, Ord)]
-pub enum HadTold<T> {
+pub enum IfSignalled<T> {
     /// This is it.
     Is(T),
     /// There is no such run: the windows begin before the start of time.
@@ -84,20 +84,20 @@ pub enum HadTold<T> {
     Unfinished,
 }
 
-impl<T> HadTold<T> {
+impl<T> IfSignalled<T> {
     /// The same of something that follows from it.
-    pub fn map<U>(self, with: impl FnOnce(T) -> U) -> HadTold<U> {
+    pub fn map<U>(self, with: impl FnOnce(T) -> U) -> IfSignalled<U> {
         match self {
-            Self::Is(it) => HadTold::Is(with(it)),
-            Self::BeforeTime => HadTold::BeforeTime,
-            Self::Unfinished => HadTold::Unfinished,
+            Self::Is(it) => IfSignalled::Is(with(it)),
+            Self::BeforeTime => IfSignalled::BeforeTime,
+            Self::Unfinished => IfSignalled::Unfinished,
         }
     }
 }
 
 /// Tells the robots' motion as it would be at the same instant had planes told of an arm in some windows, each of another
 /// plane.
-pub trait Earlier {
+pub trait SignalledRuns {
     /// Why it cannot be told.
     type Error;
 
@@ -105,7 +105,7 @@ pub trait Earlier {
     ///
     /// # Errors
     /// When the FMU fails.
-    fn told_of(&mut self, windows: &[Window]) -> Result<HadTold<Frames>, Self::Error>;
+    fn told_of(&mut self, windows: &[Window]) -> Result<IfSignalled<Frames>, Self::Error>;
 
     /// What a stop takes that is commanded at the instant; nothing where that does not matter.
     ///

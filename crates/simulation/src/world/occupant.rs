@@ -3,11 +3,11 @@
 use std::collections::BTreeSet;
 use std::sync::Arc;
 
-use super::working::Hands;
-use super::{Sensed, Stance};
+use super::operating::Hands;
+use super::{InputTrace, PersonState};
 use crate::cell::following::Following;
 use crate::cell::{Binding, Workcell};
-use crate::curtain::Curtain;
+use crate::detection_plane::DetectionPlane;
 use crate::encounter::{Clamping, Encounter, Judge, Person};
 use crate::geometry::{Cuboid, Vec3};
 use crate::hazard::STANDSTILL_M_S;
@@ -45,7 +45,7 @@ pub struct Occupant {
     /// How things stand that follow the FMU, but for those that stand on the person.
     pub(super) beside: Memo<Place, Arrangement>,
     /// Light curtains, doors, two-hand controls.
-    pub curtains: Vec<Curtain>,
+    pub curtains: Vec<DetectionPlane>,
     /// Those of which an arm may pass two at once.
     pub neighbours: Vec<(usize, usize)>,
     /// No part of the body but the arms is farther from the point 1 m above the place where it stands, m.
@@ -90,7 +90,7 @@ impl Occupant {
             binding,
         };
         let start = own.start();
-        own.curtains = Curtain::all(&own.cell, own.position(&start), own.boxes(&start));
+        own.curtains = DetectionPlane::all(&own.cell, own.position(&start), own.boxes(&start));
         let (curtains, reach) = (&own.curtains, own.arm().reach());
         let pairs = (0..curtains.len()).flat_map(|c| (c + 1..curtains.len()).map(move |d| (c, d)));
         own.neighbours = pairs.filter(|&(c, d)| curtains[c].apart_m(&curtains[d]) < reach).collect();
@@ -177,16 +177,22 @@ impl Occupant {
 
     /// The body in the world.
     #[must_use]
-    pub fn body_of(&self, stance: &Stance) -> PlacedBody {
+    pub fn body_of(&self, stance: &PersonState) -> PlacedBody {
         self.person(stance).body
     }
 
     /// The person after step `i` of an action that so many actions come before and that leads along this way.
     #[must_use]
-    pub fn stance(&self, walked: &WalkTrace, (before, i): (usize, usize), posture: Posture, sensed: &Sensed) -> Stance {
+    pub fn stance(
+        &self,
+        walked: &WalkTrace,
+        (before, i): (usize, usize),
+        posture: Posture,
+        sensed: &InputTrace,
+    ) -> PersonState {
         let (place, broken) = (walked.places[i], sensed.broken[i].clone());
         let raised = self.raised(before * self.cell.steps_per_action + i + 1);
-        Stance { who: self.who, place, posture, moved: Self::moved(walked, i), broken, raised, struck: false }
+        PersonState { who: self.who, place, posture, moved: Self::moved(walked, i), broken, raised, struck: false }
     }
 
     /// So many steps, as long as arms cannot be anywhere after them.
@@ -221,8 +227,8 @@ impl Occupant {
     }
 
     /// The body and its arms.
-    pub(crate) fn person(&self, stance: &Stance) -> Person {
-        let Stance { place, posture, .. } = stance;
+    pub(crate) fn person(&self, stance: &PersonState) -> Person {
+        let PersonState { place, posture, .. } = stance;
         let (at, heading) = (self.position(place), place.heading_rad(&self.cell.start));
         let body = self.body().placed(at, heading, *posture, self.bend(place, *posture));
         let arms = Side::BOTH.into_iter().filter(|&s| shoulder::is_available(&body, s, self.boxes(place))).collect();
@@ -232,7 +238,7 @@ impl Occupant {
 
     /// Walls that arms do not pass because that would break a light curtain, by curtain.
     pub(crate) fn unbroken(&self) -> Vec<Cuboid> {
-        self.curtains.iter().map(Curtain::unbroken).collect()
+        self.curtains.iter().map(DetectionPlane::unbroken).collect()
     }
 }
 

@@ -2,7 +2,7 @@
 //! protective separation distance.
 
 use super::contacts::Posed;
-use super::{Earlier, Hit, Instant, Occupant};
+use super::{Hit, Instant, Occupant, SignalledRuns};
 use crate::Coverage;
 use crate::hazard::contact::Apart;
 use crate::hazard::criterion::separation::{Separation, Stopping};
@@ -11,7 +11,7 @@ use crate::robot::RobotFrame;
 
 impl Occupant {
     /// What is unsafe at an instant without ending an action: a moving contact, or a robot that is too near.
-    pub(super) fn passing<E: Earlier>(
+    pub(super) fn passing<E: SignalledRuns>(
         &self,
         posed: Posed<'_>,
         instant: &mut Instant<'_, E>,

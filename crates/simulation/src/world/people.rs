@@ -3,7 +3,7 @@
 //! The second person is an [`Occupant`] like the first: with the same obstacles, sensors and controls, but another body and start. They do not stand in each other's way. A sensor that sees either reports somebody, and a control is worked if the hands of
 //! either get to it.
 
-use super::{Occupant, Sight, Stance, Worked, World};
+use super::{Occupant, OperatedControls, PersonState, RawReadings, World};
 use crate::human::walk::WalkTrace;
 use crate::human::{Action, Arrangement, Place, Posture, Who};
 
@@ -88,7 +88,7 @@ impl World {
 
     /// Who has this stance.
     #[must_use]
-    pub fn of_stance(&self, stance: &Stance) -> &Occupant {
+    pub fn of_person_state(&self, stance: &PersonState) -> &Occupant {
         self.of(stance.who).unwrap_or(&self.first)
     }
 
@@ -146,16 +146,18 @@ impl World {
 
     /// Controls that are really worked in an action from where everybody stands, turns already made and doors still as they were.
     #[must_use]
-    pub fn worked_by(&self, starts: &Places, action: Action) -> Worked {
+    pub fn worked_by(&self, starts: &Places, action: Action) -> OperatedControls {
         self.first.worked_with(&starts.first, self.second_with(starts.second.as_ref()), action)
     }
 
     /// What there is for the sensors to see of anybody at the start of each step.
     #[must_use]
-    pub(crate) fn sights_of_all(&self, walks: &Walks, action: Action) -> Vec<Sight> {
+    pub(crate) fn raw_readings_of_all(&self, walks: &Walks, action: Action) -> Vec<RawReadings> {
         let own = self.first.sights(&walks.first, action.posture());
         match self.second_with(walks.second.as_ref()) {
-            Some((second, walked)) => Sight::of_either(&own, &second.sights(walked, action.of(Who::Second).posture())),
+            Some((second, walked)) => {
+                RawReadings::of_either(&own, &second.sights(walked, action.of(Who::Second).posture()))
+            }
             None => own,
         }
     }

@@ -2,30 +2,30 @@
 
 use std::ops::Range;
 
-use super::{Occupant, Worked, World};
+use super::{Occupant, OperatedControls, World};
 use crate::cell::binding::SensorBinding;
 use crate::cell::{DetectionZone, Sensor};
-use crate::curtain::Curtain;
+use crate::detection_plane::DetectionPlane;
 use crate::geometry::Vec3;
 use crate::geometry::segment_cuboid::point_cuboid;
 use crate::human::low::OnFloor;
 use crate::human::walk::WalkTrace;
 use crate::human::{BendFraction, Place, Posture, Presses};
 use crate::robot::RobotFrame;
-use crate::sensors::{DelayLine, Seen, input_row, sees};
+use crate::sensors::{DelayLine, SensorTarget, input_row, sees};
 
 /// What there is to see at the start of a step, whatever was seen before.
 #[derive(Clone, Debug)]
-pub struct Sight {
+pub struct RawReadings {
     /// The person, without the body.
-    seen: Seen,
+    seen: SensorTarget,
     /// What each sensor sees.
     raw: Vec<bool>,
     /// What of that the FMU does not see itself.
     unknown: Vec<bool>,
 }
 
-impl Sight {
+impl RawReadings {
     /// What there is to see of two people: a sensor sees either.
     #[must_use]
     pub fn of_either(first: &[Self], second: &[Self]) -> Vec<Self> {
@@ -41,7 +41,7 @@ impl Sight {
 
 /// Sensors and inputs over one action.
 #[derive(Clone, Debug)]
-pub struct Sensed {
+pub struct InputTrace {
     /// FMU inputs, one row a step.
     pub inputs: Vec<f64>,
     /// The delay lines afterwards.
@@ -54,7 +54,7 @@ pub struct Sensed {
     pub broken: Vec<Vec<usize>>,
 }
 
-impl Sensed {
+impl InputTrace {
     /// Whether the FMU and the contact rules see the same.
     #[must_use]
     pub fn same(&self, other: &Self) -> bool {
@@ -73,7 +73,7 @@ impl World {
     pub fn delays_at_start(&self) -> Vec<DelayLine> {
         let told = self.readings_at_start();
         let settled = |((s, raw), told): ((&Sensor, bool), bool)| {
-            remembered(s, DelayLine::settled_apart(told, raw, s.delay_steps).latching(s.latched, told))
+            remembered(s, DelayLine::steady_with(told, raw, s.delay_steps).latching(s.latched, told))
         };
         self.cell.sensors.iter().zip(self.seen_at_start()).zip(told).map(settled).collect()
     }
@@ -88,7 +88,7 @@ impl World {
     /// The input values an FMU gets at initialisation: sensors as they read at the start.
     #[must_use]
     pub fn initial_inputs(&self) -> Vec<f64> {
-        let seen = self.first.seen(&self.first.start(), Posture::Upright);
+        let seen = self.first.sensor_target(&self.first.start(), Posture::Upright);
         let readings = self.readings_at_start();
         let mut row = Vec::new();
         input_row(&self.cell, &self.binding, &readings, &seen, Presses::NONE, &mut row);
@@ -103,16 +103,22 @@ impl World {
 
     /// Sensor readings at the start of each step, and the FMU inputs that follow, while controls are worked.
     #[must_use]
-    pub fn sense(&self, delays: &[DelayLine], switched: Presses, sights: &[Sight], worked: &Worked) -> Sensed {
+    pub fn sense(
+        &self,
+        delays: &[DelayLine],
+        switched: Presses,
+        sights: &[RawReadings],
+        worked: &OperatedControls,
+    ) -> InputTrace {
         let steps = sights.len();
-        let mut sensed = Sensed {
+        let mut sensed = InputTrace {
             inputs: Vec::with_capacity(steps * self.binding.inputs.len()),
             delays: delays.to_vec(),
             switched: self.switched_after(switched, worked),
             readings: Vec::with_capacity(steps),
             broken: Vec::with_capacity(steps),
         };
-        for (step, Sight { seen, raw, unknown }) in sights.iter().enumerate() {
+        for (step, RawReadings { seen, raw, unknown }) in sights.iter().enumerate() {
             let by_arm: Vec<usize> =
                 self.arm_in_planes(step, worked).map(|plane| self.first.curtains[plane].sensor).collect();
             let sensors = self.cell.sensors.iter().zip(&mut sensed.delays).enumerate();
@@ -132,7 +138,7 @@ impl World {
     }
 
     /// An arm is in the plane of `sensor` in these steps of an action: its reading, and what the FMU is told.
-    pub(crate) fn report_arm(&self, sensor: usize, steps: Range<usize>, sensed: &mut Sensed) {
+    pub(crate) fn report_arm(&self, sensor: usize, steps: Range<usize>, sensed: &mut InputTrace) {
         let Some(column) = self.binding.sensors[sensor].input() else { return };
         let active = self.cell.sensors[sensor].signal.value(true);
         let rows = sensed.inputs.chunks_mut(self.binding.inputs.len());
@@ -176,12 +182,12 @@ impl Occupant {
     /// Whether some part of the body, in some posture, could be in a plane that tells of it.
     fn may_be_in_a_plane(&self, place: &Place) -> bool {
         let middle = self.position(place) + Vec3::Z;
-        let near = |c: &Curtain| !c.hands_only && point_cuboid(middle, &c.plane).distance <= self.body_reach_m;
+        let near = |c: &DetectionPlane| !c.hands_only && point_cuboid(middle, &c.plane).distance <= self.body_reach_m;
         self.curtains.iter().any(near)
     }
 
     /// The person at `place` as sensors see it.
-    fn seen(&self, place: &Place, bent: Posture) -> Seen {
+    fn sensor_target(&self, place: &Place, bent: Posture) -> SensorTarget {
         let position = self.position(place);
         let heading_rad = place.heading_rad(&self.cell.start);
         let body = self
@@ -190,12 +196,12 @@ impl Occupant {
         // Bends leave the feet where they are.
         let fraction = if bent.is_low() { self.bend(place, bent) } else { BendFraction::FULL };
         let OnFloor { feet, besides } = self.body().on_floor(position, heading_rad, bent, fraction);
-        Seen { feet, besides, body, position, heading_rad }
+        SensorTarget { feet, besides, body, position, heading_rad }
     }
 
     /// What each sensor sees of the person at a place.
     pub(super) fn seen_by_each(&self, place: &Place, bent: Posture) -> Vec<bool> {
-        let seen = self.seen(place, bent);
+        let seen = self.sensor_target(place, bent);
         self.cell.sensors.iter().map(|sensor| sees(sensor, &seen)).collect()
     }
 
@@ -206,24 +212,24 @@ impl Occupant {
         if !raw.iter().zip(&self.binding.sensors).any(is_evaluated) {
             return raw.to_vec();
         }
-        let upright = self.seen(place, Posture::Upright);
+        let upright = self.sensor_target(place, Posture::Upright);
         let sensors = raw.iter().zip(&self.binding.sensors).zip(&self.cell.sensors);
         sensors.map(|((seen, bound), sensor)| *seen && !(bound.is_evaluated() && sees(sensor, &upright))).collect()
     }
 
     /// What there is for the sensors to see of this person at the start of each step.
     #[must_use]
-    pub fn sights(&self, walked: &WalkTrace, bent: Posture) -> Vec<Sight> {
+    pub fn sights(&self, walked: &WalkTrace, bent: Posture) -> Vec<RawReadings> {
         let steps = walked.places.len();
         let sight = |(place, during): (&Place, &Place)| {
             let arrangement = during.arrangement();
             let place = place.amid(arrangement);
-            let seen = self.seen(&place, bent);
+            let seen = self.sensor_target(&place, bent);
             let counts = |number: usize| self.cell.following.counts(number, arrangement);
             let sensors = self.cell.sensors.iter().enumerate();
             let raw: Vec<bool> = sensors.map(|(number, sensor)| sees(sensor, &seen) && counts(number)).collect();
             let unknown = self.unknown_to_fmu(&raw, &place);
-            Sight { seen: Seen { body: None, ..seen }, raw, unknown }
+            RawReadings { seen: SensorTarget { body: None, ..seen }, raw, unknown }
         };
         let begins = std::iter::once(&walked.start).chain(&walked.places).take(steps);
         begins.zip(&walked.places).map(sight).collect()
@@ -255,10 +261,10 @@ mod tests {
     #[test]
     fn what_is_only_on_its_way_is_not_the_same() {
         let sensed = |seen: bool| {
-            let mut line = DelayLine::settled(false, 3);
+            let mut line = DelayLine::steady(false, 3);
             let told = line.push(seen, 3);
             assert!(!told);
-            Sensed {
+            InputTrace {
                 inputs: vec![1.0],
                 delays: vec![line.on_its_way()],
                 switched: Presses::NONE,

@@ -4,14 +4,14 @@
 //! Where the shoulder is decides (see the method page, "Arms and planes"): while the body is in the plane, arms are on both
 //! sides; before it they stay there or go through; behind it they have the true run, with the plane clear behind them. For
 //! each way the robots are those of a run in which the plane told of the arm in a [`Window`] of samples. The geometry is in
-//! [`curtain`]; how the robots would move, [`Earlier`] tells.
+//! [`detection_plane`]; how the robots would move, [`SignalledRuns`] tells.
 
 use std::sync::Arc;
 
 use super::contacts::Posed;
-use super::{Earlier, Frames, HadTold, Hit, Instant, Occupant, Stance, Window};
+use super::{Frames, Hit, IfSignalled, Instant, Occupant, PersonState, SignalledRuns, Window};
 use crate::Coverage;
-use crate::curtain::{self, Curtain};
+use crate::detection_plane::{self, DetectionPlane};
 use crate::encounter::{ArmSpace, Encounter, Encountered, Person};
 use crate::geometry::{Cuboid, Solid, Vec3};
 use crate::human::{Place, Side};
@@ -40,7 +40,7 @@ enum ArmSide {
 
 /// A way of an arm past one plane, if the plane tells of it.
 #[derive(Clone, Copy, Debug)]
-struct Way {
+struct PlanePass {
     window: Window,
     /// How far behind the plane the hand can be, m.
     limit_m: f64,
@@ -51,16 +51,16 @@ struct Way {
 }
 
 /// An arm's ways past one plane.
-struct Ways {
+struct PlanePasses {
     /// Walls that keep an arm from what it cannot do untold; nothing if it can do nothing untold.
     untold: Option<Vec<Cuboid>>,
     /// How far behind the plane a hand can be untold, m.
     untold_limit_m: f64,
     /// Ways of which the plane tells, by the time they take.
-    told: Vec<Way>,
+    told: Vec<PlanePass>,
 }
 
-impl Way {
+impl PlanePass {
     /// The one of two that leaves the hand more time.
     fn wider(self, other: Self) -> Self {
         if other.limit_m > self.limit_m { other } else { self }
@@ -68,13 +68,13 @@ impl Way {
 }
 
 /// The robots, had planes told of an arm on these ways, one past each of some planes; as they are, on no way.
-struct Run {
-    ways: Vec<Way>,
+struct PassRun {
+    ways: Vec<PlanePass>,
     frames: Frames,
     i: usize,
 }
 
-impl Run {
+impl PassRun {
     fn frame(&self) -> &RobotFrame {
         &self.frames[self.i]
     }
@@ -97,7 +97,7 @@ struct Arms<'a> {
     encounter: &'a Encounter,
     person: Person,
     sides: Vec<ArmSide>,
-    ways: Vec<Ways>,
+    ways: Vec<PlanePasses>,
     passages: Vec<Passage>,
     shoulders: Vec<Vec3>,
 }
@@ -106,19 +106,19 @@ struct Arms<'a> {
 pub(super) struct AtPlanes<'a>(Vec<Arms<'a>>);
 
 /// The runs of one passage, with the number of those that the FMU could not finish.
-type OfPassage = (Vec<Run>, u64);
+type OfPassage = (Vec<PassRun>, u64);
 
 /// The runs that decide what arms meet at an instant, by arms and passage, as far as they were asked for.
-pub(super) struct Runs(Vec<Vec<Option<OfPassage>>>);
+pub(super) struct PassRuns(Vec<Vec<Option<OfPassage>>>);
 
-impl Runs {
+impl PassRuns {
     /// None asked for yet.
     pub(super) fn new(at: &AtPlanes<'_>) -> Self {
         Self(at.0.iter().map(|arms| arms.passages.iter().map(|_| None).collect()).collect())
     }
 
     /// All of them, at an instant.
-    pub(super) fn all<E: Earlier>(at: &AtPlanes<'_>, instant: &mut Instant<'_, E>) -> Result<Self, E::Error> {
+    pub(super) fn all<E: SignalledRuns>(at: &AtPlanes<'_>, instant: &mut Instant<'_, E>) -> Result<Self, E::Error> {
         let mut all = Self::new(at);
         for (a, arms) in at.0.iter().enumerate() {
             for p in 0..arms.passages.len() {
@@ -129,7 +129,7 @@ impl Runs {
     }
 
     /// Those of one passage of some arms, both by their numbers.
-    fn of<E: Earlier>(
+    fn of<E: SignalledRuns>(
         &mut self,
         at: &AtPlanes<'_>,
         (a, p): (usize, usize),
@@ -140,11 +140,11 @@ impl Runs {
         let found = match place.take() {
             Some(known) => known,
             None if planes.is_empty() => {
-                let as_they_are = Run { ways: Vec::new(), frames: Arc::clone(instant.frames), i: instant.i };
+                let as_they_are = PassRun { ways: Vec::new(), frames: Arc::clone(instant.frames), i: instant.i };
                 (vec![as_they_are], 0)
             }
             None => {
-                let told: Vec<&[Way]> = planes.iter().map(|&c| arms.ways[c].told.as_slice()).collect();
+                let told: Vec<&[PlanePass]> = planes.iter().map(|&c| arms.ways[c].told.as_slice()).collect();
                 runs(&told, instant)?
             }
         };
@@ -174,7 +174,7 @@ impl Occupant {
         }
         let arms = |(sides, arms): (Vec<ArmSide>, Vec<Side>)| {
             let person = Person { arms, ..person.clone() };
-            let ways: Vec<Ways> = (0..sides.len()).map(|c| self.ways(c, sides[c], &person, stance)).collect();
+            let ways: Vec<PlanePasses> = (0..sides.len()).map(|c| self.ways(c, sides[c], &person, stance)).collect();
             let shoulders = person.arms.iter().map(|&side| person.body.shoulder(side).translation).collect();
             Arms { encounter, passages: self.passages(&ways), person, sides, ways, shoulders }
         };
@@ -182,7 +182,7 @@ impl Occupant {
     }
 
     /// Which planes arms with these ways may pass at once: none, one, or two neighbours.
-    fn passages(&self, ways: &[Ways]) -> Vec<Passage> {
+    fn passages(&self, ways: &[PlanePasses]) -> Vec<Passage> {
         let one = (0..ways.len()).map(|c| vec![c]);
         let two = self.neighbours.iter().map(|&(c, d)| vec![c, d]);
         let passage = |planes: Vec<usize>| {
@@ -195,10 +195,10 @@ impl Occupant {
 
     /// An unsafe arm contact at an instant: untold by planes, or with the robots as they are when one plane, or
     /// two, told of the arm as long before as the hand needs.
-    pub(super) fn reach_past_planes<E: Earlier>(
+    pub(super) fn reach_past_planes<E: SignalledRuns>(
         &self,
         at: &AtPlanes<'_>,
-        runs: &mut Runs,
+        runs: &mut PassRuns,
         instant: &mut Instant<'_, E>,
         coverage: &mut Coverage,
     ) -> Result<Option<Hit>, E::Error> {
@@ -206,7 +206,7 @@ impl Occupant {
             for (p, passage) in arms.passages.iter().enumerate() {
                 let (runs, unfinished) = runs.of(at, (a, p), instant)?;
                 coverage.arm_runs_not_evaluated += *unfinished;
-                let runs: Vec<&Run> = runs.iter().collect();
+                let runs: Vec<&PassRun> = runs.iter().collect();
                 if let Some((run, found)) = self.first_of(arms, passage, &runs, coverage) {
                     let windows = run.ways.iter().map(|way| way.window).collect();
                     return Ok(Some(Hit { windows, ..Hit::new(found, run.frame()) }));
@@ -221,16 +221,16 @@ impl Occupant {
     pub(super) fn none_reaches_past_planes(
         &self,
         at: &AtPlanes<'_>,
-        instants: &[&Runs],
+        instants: &[&PassRuns],
         coverage: &mut Coverage,
     ) -> bool {
         let none = at.0.iter().enumerate().all(|(a, arms)| {
             arms.passages.iter().enumerate().all(|(p, passage)| {
-                let mut runs: Vec<&Run> =
+                let mut runs: Vec<&PassRun> =
                     instants.iter().flat_map(|runs| runs.0[a][p].iter().flat_map(|(runs, _)| runs)).collect();
                 // Ways from in front and from behind have different walls.
                 runs.sort_by_key(|run| run.backs().collect::<Vec<_>>());
-                let alike = |a: &&Run, b: &&Run| a.backs().eq(b.backs());
+                let alike = |a: &&PassRun, b: &&PassRun| a.backs().eq(b.backs());
                 runs.chunk_by(alike).all(|runs| self.nobody_reaches(arms, passage, runs, coverage))
             })
         });
@@ -242,11 +242,11 @@ impl Occupant {
     }
 
     /// The same for runs whose ways lead to the same sides.
-    fn nobody_reaches(&self, arms: &Arms<'_>, passage: &Passage, runs: &[&Run], coverage: &mut Coverage) -> bool {
+    fn nobody_reaches(&self, arms: &Arms<'_>, passage: &Passage, runs: &[&PassRun], coverage: &mut Coverage) -> bool {
         let Some(first) = runs.first() else { return true };
         // The space open to the widest ways holds that of all: nothing there is nothing for any.
-        let widest = |n: usize| runs.iter().map(|run| run.ways[n]).reduce(Way::wider);
-        let widest: Vec<Way> = (0..first.ways.len()).filter_map(widest).collect();
+        let widest = |n: usize| runs.iter().map(|run| run.ways[n]).reduce(PlanePass::wider);
+        let widest: Vec<PlanePass> = (0..first.ways.len()).filter_map(widest).collect();
         let walls = self.walls_past(passage, &widest);
         // Of runs in which the robots are the same, one stands for all.
         let mut frames: Vec<&RobotFrame> = Vec::new();
@@ -276,7 +276,7 @@ impl Occupant {
     }
 
     /// For each link of a run whether an arm can get hold of it past these planes.
-    fn links_within(&self, arms: &Arms<'_>, passage: &Passage, run: &Run) -> Vec<bool> {
+    fn links_within(&self, arms: &Arms<'_>, passage: &Passage, run: &PassRun) -> Vec<bool> {
         let others: Vec<usize> = (0..arms.sides.len()).filter(|c| !passage.planes.contains(c)).collect();
         let reach = self.arm().reach();
         let within = |link: &Solid| {
@@ -306,11 +306,11 @@ impl Occupant {
         &self,
         arms: &Arms<'_>,
         passage: &Passage,
-        runs: &[&'a Run],
+        runs: &[&'a PassRun],
         coverage: &mut Coverage,
-    ) -> Option<(&'a Run, Encountered)> {
-        let alike = |a: &&Run, b: &&Run| a.backs().eq(b.backs());
-        let mut groups: Vec<&[&Run]> = runs.chunk_by(alike).rev().collect();
+    ) -> Option<(&'a PassRun, Encountered)> {
+        let alike = |a: &&PassRun, b: &&PassRun| a.backs().eq(b.backs());
+        let mut groups: Vec<&[&PassRun]> = runs.chunk_by(alike).rev().collect();
         while let Some(group) = groups.pop() {
             if let [run] = group {
                 let (walls, links) = (self.walls_past(passage, &run.ways), self.links_within(arms, passage, run));
@@ -328,12 +328,12 @@ impl Occupant {
     }
 
     /// What an arm does not pass on these ways past the planes of a passage.
-    fn walls_past(&self, passage: &Passage, ways: &[Way]) -> Vec<Cuboid> {
+    fn walls_past(&self, passage: &Passage, ways: &[PlanePass]) -> Vec<Cuboid> {
         passage.walls.iter().copied().chain(ways.iter().flat_map(|way| self.walls_of(way))).collect()
     }
 
     /// What an arm does not pass on a way past a plane: what is out of the hand's reach, and a plane that is clear.
-    fn walls_of(&self, way: &Way) -> Vec<Cuboid> {
+    fn walls_of(&self, way: &PlanePass) -> Vec<Cuboid> {
         let curtain = &self.curtains[way.window.curtain];
         let out_of_reach = if way.back { curtain.before(way.limit_m) } else { curtain.beyond(way.limit_m) };
         std::iter::once(out_of_reach).chain(way.closed.then(|| curtain.unbroken())).collect()
@@ -341,14 +341,14 @@ impl Occupant {
 
     /// Whether a hand on a way past a plane can get hold of a link, and still could with the arm moved by the tolerance: the
     /// guarantee of the arm search asks for no more, and thin layers of space cost it most.
-    fn in_reach(&self, way: &Way, link: &Solid) -> bool {
+    fn in_reach(&self, way: &PlanePass, link: &Solid) -> bool {
         let far = way.limit_m - self.cell.search.reach_tolerance_m;
         let curtain = &self.curtains[way.window.curtain];
         if way.back { curtain.within_before(far, link) } else { curtain.within(far, link) }
     }
 
     /// Where an arm with this shoulder is with regard to plane `c`.
-    fn side_of(&self, c: usize, person: &Person, stance: &Stance, shoulder: Vec3) -> ArmSide {
+    fn side_of(&self, c: usize, person: &Person, stance: &PersonState, shoulder: Vec3) -> ArmSide {
         let curtain = &self.curtains[c];
         let behind = curtain.depth(shoulder) > 0.0;
         match (curtain.hands_only, behind) {
@@ -363,16 +363,16 @@ impl Occupant {
 
     /// How deep behind a plane a hand can be after so many steps, m.
     fn depth_m(&self, steps: usize) -> f64 {
-        curtain::depth_m(steps, self.cell.step_s, self.fastest_m_s())
+        detection_plane::depth_m(steps, self.cell.step_s, self.fastest_m_s())
     }
 
     /// How deep every hand can be after so many steps, of who runs and who does not, m: so long ways past a plane are looked for.
     fn at_least_m(&self, steps: usize) -> f64 {
-        curtain::depth_m(steps, self.cell.step_s, 0.0)
+        detection_plane::depth_m(steps, self.cell.step_s, 0.0)
     }
 
     /// The ways of an arm on this side of plane `c`.
-    fn ways(&self, c: usize, side: ArmSide, person: &Person, stance: &Stance) -> Ways {
+    fn ways(&self, c: usize, side: ArmSide, person: &Person, stance: &PersonState) -> PlanePasses {
         let (curtain, since) = (&self.curtains[c], stance.broken[c]);
         let reach = self.arm().reach();
         let depths = person.arms.iter().map(|&arm| curtain.depth(person.body.shoulder(arm).translation));
@@ -393,7 +393,7 @@ impl Occupant {
         if matches!(side, ArmSide::In | ArmSide::Behind) && untold_limit_m < deepest {
             untold.push(curtain.beyond(untold_limit_m));
         }
-        let told = |from: usize, until: usize, back: bool| Way {
+        let told = |from: usize, until: usize, back: bool| PlanePass {
             window: Window { curtain: c, from, until },
             limit_m: self.depth_m(from + 1),
             back,
@@ -409,20 +409,20 @@ impl Occupant {
         };
         // The body is told of from then on, but not where the FMU sees it itself, maybe later: the arm is still there then.
         let until = if self.is_evaluated(c) { 0 } else { since };
-        let told: Vec<Way> = match side {
+        let told: Vec<PlanePass> = match side {
             ArmSide::Front | ArmSide::LeansOver => through(deepest, false).collect(),
             ArmSide::In => ahead(until).collect(),
             ArmSide::Behind => ahead(since).chain(through(most_before, true)).collect(),
         };
-        Ways { untold: (side != ArmSide::LeansOver).then_some(untold), untold_limit_m, told }
+        PlanePasses { untold: (side != ArmSide::LeansOver).then_some(untold), untold_limit_m, told }
     }
 
     /// In which windows planes may have told of an arm, for a person at this place: every one that a pose of it may ask
-    /// [`Earlier`] for.
+    /// [`SignalledRuns`] for.
     #[must_use]
     pub fn windows_that_may_matter(&self, place: &Place, broken: &[usize]) -> Vec<Asked> {
         let (at, arm) = (self.position(place) + Vec3::Z, self.arm().reach());
-        let of = |(curtain, &since): (&Curtain, &usize)| {
+        let of = |(curtain, &since): (&DetectionPlane, &usize)| {
             let depth = curtain.depth(at);
             let deepest = depth + self.reach_m();
             let samples = |most: f64| (0..).take_while(|&s| self.at_least_m(s) < most).count();
@@ -470,13 +470,13 @@ impl Occupant {
         self.cell_evaluates(&self.curtains[c])
     }
 
-    fn cell_evaluates(&self, curtain: &Curtain) -> bool {
+    fn cell_evaluates(&self, curtain: &DetectionPlane) -> bool {
         self.binding.sensors[curtain.sensor].is_evaluated()
     }
 
     /// Whether the body could have come as far as `point` behind each plane that it is in. Who holds a two-hand control may
     /// lean over it; who is not in a plane passed it before, or went round it.
-    pub(super) fn in_time(&self, point: Vec3, person: &Person, stance: &Stance) -> bool {
+    pub(super) fn in_time(&self, point: Vec3, person: &Person, stance: &PersonState) -> bool {
         self.curtains.iter().enumerate().filter(|(_, curtain)| !curtain.hands_only).all(|(c, curtain)| {
             let since = stance.broken[c];
             since == LONG_AGO
@@ -522,11 +522,11 @@ impl Asked {
 
 /// The robots of each way past one plane, or of each pair of ways past two; ways by the time they take, as long as there is
 /// time. Those that the FMU could not finish are left out; the second number counts them.
-fn runs<E: Earlier>(told: &[&[Way]], instant: &mut Instant<'_, E>) -> Result<OfPassage, E::Error> {
+fn runs<E: SignalledRuns>(told: &[&[PlanePass]], instant: &mut Instant<'_, E>) -> Result<OfPassage, E::Error> {
     let i = instant.i;
     let (mut runs, mut unfinished): OfPassage = (Vec::new(), 0);
     let Some((last, before)) = told.split_last() else { return Ok((runs, unfinished)) };
-    let before: Vec<Vec<Way>> = match before {
+    let before: Vec<Vec<PlanePass>> = match before {
         [ways] => ways.iter().map(|way| vec![*way]).collect(),
         _ => vec![Vec::new()],
     };
@@ -534,12 +534,12 @@ fn runs<E: Earlier>(told: &[&[Way]], instant: &mut Instant<'_, E>) -> Result<OfP
         for of_kind in last.chunk_by(|a, b| a.back == b.back) {
             let first = runs.len();
             for &way in of_kind {
-                let ways: Vec<Way> = besides.iter().copied().chain([way]).collect();
+                let ways: Vec<PlanePass> = besides.iter().copied().chain([way]).collect();
                 let windows: Vec<Window> = ways.iter().map(|way| way.window).collect();
                 let frames = match instant.earlier.told_of(&windows)? {
-                    HadTold::Is(frames) => frames,
-                    HadTold::BeforeTime => break,
-                    HadTold::Unfinished => {
+                    IfSignalled::Is(frames) => frames,
+                    IfSignalled::BeforeTime => break,
+                    IfSignalled::Unfinished => {
                         unfinished += 1;
                         continue;
                     }
@@ -548,7 +548,7 @@ fn runs<E: Earlier>(told: &[&[Way]], instant: &mut Instant<'_, E>) -> Result<OfP
                 if runs[first..].last().is_some_and(|last| last.frames[i].same_outputs(&frames[i])) {
                     runs.pop();
                 }
-                runs.push(Run { ways, frames, i });
+                runs.push(PassRun { ways, frames, i });
             }
         }
     }

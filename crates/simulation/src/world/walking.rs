@@ -1,6 +1,6 @@
 //! Where an action leads, and how: walks that obstacles end, postures for which there is room, bends that end at a wall.
 
-use super::{Occupant, Stance};
+use super::{Occupant, PersonState};
 use crate::geometry::Vec3;
 use crate::human::walk::{WalkTrace, Walker};
 use crate::human::{Action, BendFraction, Place, Posture, Presses, posture};
@@ -96,7 +96,7 @@ impl Occupant {
     }
 
     /// How the person walks, m/s.
-    pub(super) fn velocity(&self, stance: &Stance) -> Vec3 {
+    pub(super) fn velocity(&self, stance: &PersonState) -> Vec3 {
         let place = &stance.place;
         let back = |place: Place, _| if stance.moved > 0 { place.stepped_back() } else { place.stepped() };
         let before = (0..stance.moved.unsigned_abs()).fold(*place, back);

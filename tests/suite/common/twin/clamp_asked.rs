@@ -12,7 +12,7 @@ use fmi_hazard::human::{Place, Posture, Start};
 use fmi_hazard::scan::prepare::prepare;
 use fmi_hazard::sim::Coverage;
 use fmi_hazard::sim::robot::RobotFrame;
-use fmi_hazard::sim::world::{Earlier, Frames, HadTold, Hit, Instant, Stance, Window, World};
+use fmi_hazard::sim::world::{Frames, Hit, IfSignalled, Instant, PersonState, SignalledRuns, Window, World};
 
 use super::body::Body;
 use super::clamp_scenes::{CARRIERS, Case};
@@ -32,10 +32,10 @@ pub struct Asked {
 /// No planes, no other runs.
 struct Never;
 
-impl Earlier for Never {
+impl SignalledRuns for Never {
     type Error = Infallible;
 
-    fn told_of(&mut self, _: &[Window]) -> Result<HadTold<Frames>, Infallible> {
+    fn told_of(&mut self, _: &[Window]) -> Result<IfSignalled<Frames>, Infallible> {
         unreachable!("there are no planes")
     }
 }
@@ -136,7 +136,7 @@ impl Asked {
         }
         let world = World::new(cell, binding);
         let world = if any { world.content_with_any() } else { world };
-        let stance = Stance {
+        let stance = PersonState {
             who: fmi_hazard::human::Who::First,
             place: Place::START,
             posture: POSTURES[case.posture],

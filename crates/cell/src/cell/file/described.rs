@@ -26,7 +26,7 @@ type Result<T> = std::result::Result<T, Box<CellError>>;
 pub(super) struct Described {
     pub kinematics: Kinematics,
     /// Shapes of what moves.
-    pub shapes: Vec<Shown>,
+    pub shapes: Vec<DescribedShape>,
     /// Masses of all links that move, kg; nothing if none is told.
     pub moving_mass_kg: Option<f64>,
     /// What shapes may be attached to: moving joints and links, with the joint that moves them and where they are in its
@@ -35,7 +35,7 @@ pub(super) struct Described {
 }
 
 /// A shape of a link.
-pub(super) struct Shown {
+pub(super) struct DescribedShape {
     /// Name of the link.
     pub name: String,
     /// Index of the moving joint.
@@ -212,7 +212,7 @@ impl Checker<'_> {
             for (link, _, joint_from_link) in tree.links(&file.urdf).filter(|(_, joint, _)| *joint == at) {
                 any |= link.inertia != Tensor::Untold;
                 match link.inertia {
-                    Tensor::Told(inertia) => body = body.with(&inertia.placed(joint_from_link)),
+                    Tensor::Given(inertia) => body = body.with(&inertia.placed(joint_from_link)),
                     Tensor::Wrong => reasons.push(format!("link `{}` has one that no body has", link.name)),
                     Tensor::Untold if link.is_there() || link.mass_kg.is_some_and(|kg| kg > 0.0) => {
                         reasons.push(format!("link `{}` has none", link.name));
@@ -220,14 +220,14 @@ impl Checker<'_> {
                     Tensor::Untold => {}
                 }
             }
-            if reasons.is_empty() { Spread::Told(body) } else { Spread::Unknown(reasons, any) }
+            if reasons.is_empty() { Spread::Given(body) } else { Spread::Unknown(reasons, any) }
         };
         let moving = tree.moving.iter().enumerate();
-        moving.map(|(at, joint)| own(joint).map_or_else(|| of_links(at), Spread::Told)).collect()
+        moving.map(|(at, joint)| own(joint).map_or_else(|| of_links(at), Spread::Given)).collect()
     }
 
     /// Collision shapes of the links that move and are `used`.
-    fn shapes(&self, file: &UrdfFile, tree: &Tree<'_>, used: impl Fn(&str) -> bool) -> Result<Vec<Shown>> {
+    fn shapes(&self, file: &UrdfFile, tree: &Tree<'_>, used: impl Fn(&str) -> bool) -> Result<Vec<DescribedShape>> {
         let mut shapes = Vec::new();
         for (link, joint, joint_from_link) in tree.links(&file.urdf).filter(|(link, ..)| used(&link.name)) {
             if link.only_seen {
@@ -245,7 +245,7 @@ impl Checker<'_> {
                     self.looks(link, file, link_from_shape.inverse())
                 };
                 let shape = solid.placed(joint_from_link * *link_from_shape);
-                shapes.push(Shown { name: link.name.clone(), joint, shape, looks });
+                shapes.push(DescribedShape { name: link.name.clone(), joint, shape, looks });
             }
         }
         Ok(shapes)

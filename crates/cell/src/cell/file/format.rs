@@ -25,8 +25,8 @@ pub(crate) use robot::{
     CapsuleTable, FrameTable, InertiaTable, JointTable, LinkTable, MeshTable, RobotTable, UpAxis, VariableTable,
 };
 pub use surroundings::{
-    ControlTable, EvaluatedTable, MovesTable, ObstacleTable, SensorTable, StaticMeshTable, ValuesTable, WhileTable,
-    ZoneTable,
+    ControlTable, DetectionZoneTable, EvaluatedTable, MovesTable, ObstacleTable, SensorTable, StaticMeshTable,
+    ValuesTable, WhileTable,
 };
 
 /// The whole file.

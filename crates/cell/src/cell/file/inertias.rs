@@ -17,7 +17,7 @@ pub(super) type Places = BTreeMap<String, (usize, Pose)>;
 #[derive(Clone, Debug, PartialEq)]
 pub(super) enum Spread {
     /// So.
-    Told(Inertia),
+    Given(Inertia),
     /// It is not known, for these reasons; and whether part of it is told.
     Unknown(Vec<String>, bool),
 }
@@ -49,7 +49,7 @@ impl Checker<'_> {
     /// What a joint of the cell file says.
     pub(super) fn spread(&self, joint: &JointTable) -> Spread {
         match self.problems.keep(self.inertia(joint)).flatten() {
-            Some(inertia) => Spread::Told(inertia),
+            Some(inertia) => Spread::Given(inertia),
             None => Spread::Unknown(vec![format!("joint `{}` has no `inertia`", joint.name.get_ref())], false),
         }
     }
@@ -57,12 +57,12 @@ impl Checker<'_> {
     /// The masses of a robot whose joints move what `spread` says, if that is known of all of them. If of some only, that is
     /// worth a warning.
     pub(super) fn masses(&self, robot: &RobotTable, spread: Vec<Spread>, driven: &[Driven]) -> Option<Masses> {
-        let told = |spread: &Spread| matches!(spread, Spread::Told(_) | Spread::Unknown(_, true));
+        let told = |spread: &Spread| matches!(spread, Spread::Given(_) | Spread::Unknown(_, true));
         let any = spread.iter().any(told);
         let (mut bodies, mut missing) = (Vec::new(), Vec::new());
         for spread in spread {
             match spread {
-                Spread::Told(inertia) => bodies.push(inertia),
+                Spread::Given(inertia) => bodies.push(inertia),
                 Spread::Unknown(reasons, _) => missing.extend(reasons),
             }
         }

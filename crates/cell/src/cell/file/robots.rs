@@ -6,7 +6,7 @@ use std::sync::Arc;
 use toml::Spanned;
 
 use super::checker::{Checker, pose};
-use super::described::{Described, Shown, upright};
+use super::described::{Described, DescribedShape, upright};
 use super::format::{CapsuleTable, CellFile, FrameTable, JointTable, LinkTable, MeshTable, RobotTable};
 use super::inertias::Places;
 use crate::cell::CellError;
@@ -78,7 +78,7 @@ impl Checker<'_> {
             None => (Vec::new(), places(robot), self.chain(robot)),
         };
         let place = robot.urdf.as_ref().map(|path| self.place(path.span())).unwrap_or_default();
-        let of_urdf = |Shown { name, joint, shape, looks }| Link {
+        let of_urdf = |DescribedShape { name, joint, shape, looks }| Link {
             name,
             robot: number,
             joint,

@@ -3,7 +3,7 @@
 use toml::Spanned;
 
 use super::checker::Checker;
-use super::format::{CellFile, SensorTable, ValuesTable, ZoneTable};
+use super::format::{CellFile, DetectionZoneTable, SensorTable, ValuesTable};
 use crate::cell::CellError;
 use crate::cell::sensor::kind::{Key, Zoned};
 use crate::cell::sensor::written::Written;
@@ -233,7 +233,7 @@ impl Checker<'_> {
 struct Zone<'a> {
     checker: &'a Checker<'a>,
     name: &'a str,
-    zone: &'a Spanned<ZoneTable>,
+    zone: &'a Spanned<DetectionZoneTable>,
 }
 
 impl Written for Zone<'_> {

@@ -8,7 +8,7 @@ use toml::Spanned;
 use super::checker::Checker;
 use super::format::{HumanTable, StartAreaTable, StartTable};
 use crate::cell::CellError;
-use crate::cell::workcell::{Beginning, Obstacle, StartArea};
+use crate::cell::workcell::{InitialCondition, Obstacle, StartArea};
 use crate::fmi::number;
 use crate::geometry::Cuboid;
 use crate::geometry::polygon::{contains, distance_to_edge};
@@ -147,7 +147,7 @@ impl Checker<'_> {
     }
 
     /// Every start at every time, the starts of one time together.
-    pub(super) fn beginnings(&self, human: &HumanTable, starts: &[StartTable], step_s: f64) -> Vec<Beginning> {
+    pub(super) fn beginnings(&self, human: &HumanTable, starts: &[StartTable], step_s: f64) -> Vec<InitialCondition> {
         let times = &human.begins_s;
         let none = self.that(!times.get_ref().is_empty(), times.span(), || {
             ("human.begins_s is empty".to_owned(), "leave it out, or give [0, 1.5, 3]".to_owned())
@@ -178,7 +178,7 @@ impl Checker<'_> {
         }
         let starts: Vec<Start> =
             starts.iter().map(|start| Start::new(start.xy_m[0], start.xy_m[1], start.heading_deg)).collect();
-        let at = |&lead_in_steps: &usize| starts.iter().map(move |&start| Beginning { start, lead_in_steps });
+        let at = |&lead_in_steps: &usize| starts.iter().map(move |&start| InitialCondition { start, lead_in_steps });
         times.iter().flat_map(at).collect()
     }
 }

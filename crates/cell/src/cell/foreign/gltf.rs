@@ -16,12 +16,12 @@ use crate::geometry::{Matrix3, Rotation, Vec3};
 
 /// Where something of a node is in the scene.
 #[derive(Clone, Copy)]
-struct Place {
+struct NodePose {
     linear: Matrix3,
     offset: Vec3,
 }
 
-impl Place {
+impl NodePose {
     fn then(self, child: Self) -> Self {
         Self { linear: self.linear * child.linear, offset: self.linear * child.offset + self.offset }
     }
@@ -87,8 +87,8 @@ pub(in crate::cell) fn read(
         Some(scene) => scene.nodes().collect(),
         None => return Err("it has no scene; export one".to_owned()),
     };
-    let still = Place { linear: Matrix3::IDENTITY, offset: Vec3::ZERO };
-    let mut open: Vec<(Node<'_>, Place)> = roots.into_iter().rev().map(|node| (node, still)).collect();
+    let still = NodePose { linear: Matrix3::IDENTITY, offset: Vec3::ZERO };
+    let mut open: Vec<(Node<'_>, NodePose)> = roots.into_iter().rev().map(|node| (node, still)).collect();
     let mut known = vec![false; gltf.document.nodes().len()];
     let mut parts = Vec::new();
     while let Some((node, parent)) = open.pop() {
@@ -97,7 +97,7 @@ pub(in crate::cell) fn read(
             Some(seen) if !*seen => *seen = true,
             _ => return Err(format!("{name} is in the scene twice: nodes of glTF are trees")),
         }
-        let place = parent.then(Place::of(&node.transform()));
+        let place = parent.then(NodePose::of(&node.transform()));
         for primitive in node.mesh().into_iter().flat_map(|mesh| mesh.primitives()) {
             if primitive.mode() != Mode::Triangles {
                 return Err(format!("{name} has {:?}; only triangles are read", primitive.mode()));

@@ -54,7 +54,7 @@ pub(in crate::cell) enum Tensor {
     /// As in no body.
     Wrong,
     /// So, in the link's frame.
-    Told(Inertia),
+    Given(Inertia),
 }
 
 /// A collision shape.
@@ -191,7 +191,7 @@ impl Xml<'_> {
         }
         let inertia = Inertia::new(mass_kg, Vec3::ZERO, [xx, yy, zz], [xy, xz, yz]);
         let real = mass_kg > 0.0 && inertia.is_semidefinite() && inertia.is_of_a_body();
-        Some(if real { Tensor::Told(inertia.placed(link_from_body)) } else { Tensor::Wrong })
+        Some(if real { Tensor::Given(inertia.placed(link_from_body)) } else { Tensor::Wrong })
     }
 
     /// What a visual shows, if that is a mesh. Nothing depends on it: a mistake in it is none of the robot.

@@ -47,7 +47,7 @@ pub(super) struct Head {
     bell: AtomicU32,
     /// The process that answers.
     pub(super) alive: AtomicU32,
-    /// How the answering process ended, see [`super::process::Ended`]; 0 while it lives.
+    /// How the answering process ended, see [`super::process::ProcessEnd`]; 0 while it lives.
     pub(super) death: AtomicU32,
     /// The call that the answering process is in, see [`crate::host::activity::Activity`].
     pub(super) activity: AtomicU64,
@@ -162,7 +162,7 @@ impl Channel {
     }
 
     /// How often the bell was rung.
-    pub(super) fn rung(&self) -> u32 {
+    pub(super) fn times_rung(&self) -> u32 {
         self.head().bell.load(Ordering::Acquire)
     }
 
@@ -218,7 +218,7 @@ mod tests {
         for i in 0..1000_u32 {
             let number = asking.ask(&i.to_le_bytes());
             let answer = loop {
-                let rung = asking.rung();
+                let rung = asking.times_rung();
                 if let Some(answer) = asking.answer_to(number) {
                     break answer;
                 }

@@ -3,9 +3,9 @@
 
 use std::time::{Duration, Instant};
 
-use super::isolated::{Isolated, Keeping};
+use super::isolated::{Isolated, WorkerRestore};
 use super::launch::Launcher;
-use super::message::{Answer, Question};
+use super::message::{WorkerReply, WorkerRequest};
 use crate::host::plant::{Plant as _, PlantError, insist};
 use crate::host::selftest::{self, Agreement, Columns, Facts, Found, SelfTest, Stage, agreement, moving, restore_test};
 
@@ -28,7 +28,7 @@ fn try_processes(launcher: &Launcher, steps: usize, result: &mut SelfTest) -> Du
     let (main, other) = (moving(setup, steps, 0), moving(setup, steps, 1));
     let mut step_time = Duration::ZERO;
     let mut run = || -> Result<Vec<f64>, PlantError> {
-        let mut plant = Isolated::new(launcher.clone(), Keeping::Processes);
+        let mut plant = Isolated::new(launcher.clone(), WorkerRestore::Processes);
         let mut run = plant.restart()?;
         let began = Instant::now();
         run.extend(plant.advance(steps, &main)?);
@@ -44,7 +44,7 @@ fn try_processes(launcher: &Launcher, steps: usize, result: &mut SelfTest) -> Du
         }
     };
     result.fresh_process = agreement(&reference, run(), &columns);
-    let mut plant = Isolated::new(launcher.clone(), Keeping::ByFork);
+    let mut plant = Isolated::new(launcher.clone(), WorkerRestore::ByFork);
     let tried = plant.restart().and_then(|_| plant.advance(1, &main[..width]));
     result.fork = match (tried, plant.reason_against_copies()) {
         (Err(error), _) => Agreement::from(error),
@@ -86,9 +86,9 @@ fn maybe_denied(error: PlantError) -> PlantError {
 fn in_a_process(launcher: &Launcher, steps: usize, stage: Stage, reference: &[f64]) -> Tried {
     insist(&mut || {
         let mut worker = launcher.start(false)?;
-        let question = Question::SelfTest { steps, stage, reference: reference.to_vec() };
+        let question = WorkerRequest::SelfTest { steps, stage, reference: reference.to_vec() };
         let answer = match worker.ask(&question, &launcher.limits)? {
-            Answer::Failed(error) => Answer::Failed(worker.with_last_words(error)),
+            WorkerReply::Failed(error) => WorkerReply::Failed(worker.with_last_words(error)),
             answer => answer,
         };
         Ok((answer, std::mem::take(&mut worker.missing)))
@@ -96,7 +96,7 @@ fn in_a_process(launcher: &Launcher, steps: usize, stage: Stage, reference: &[f6
 }
 
 /// An answer, and what of the sandbox is missing.
-type Tried = Result<(Answer, Vec<String>), PlantError>;
+type Tried = Result<(WorkerReply, Vec<String>), PlantError>;
 
 /// The self-test may take about so long, and has the FMU run about so often.
 const AFFORDED: Duration = Duration::from_secs(30);
@@ -118,7 +118,7 @@ pub fn affordable(launcher: &Launcher, steps: usize) -> usize {
     let time = |steps: usize| {
         let began = Instant::now();
         let ran = in_a_process(launcher, steps, Stage::FirstRun, &[]);
-        matches!(ran, Ok((Answer::FirstRun { .. }, _))).then(|| began.elapsed())
+        matches!(ran, Ok((WorkerReply::FirstRun { .. }, _))).then(|| began.elapsed())
     };
     let few = FEW_STEPS[1].min(steps);
     // Whoever cannot do this may do the real run, whose inputs change later.
@@ -152,13 +152,13 @@ fn read<T: serde::de::DeserializeOwned>(told: &str) -> Result<T, PlantError> {
 /// # Errors
 /// When the FMUs cannot be loaded or a first plain run is not possible at all.
 pub fn examine(launcher: &Launcher, steps: usize, skip: &[Stage]) -> Result<Examination, PlantError> {
-    let unexpected = |answer: Answer| PlantError::of(format!("a worker gave an unexpected answer: {answer:?}"));
+    let unexpected = |answer: WorkerReply| PlantError::of(format!("a worker gave an unexpected answer: {answer:?}"));
     let columns = launcher.setup().columns();
     let long = (steps + 1) * columns > KEPT;
     let (mut reference, facts, missing) = match in_a_process(launcher, steps, Stage::FirstRun, &[]) {
-        Ok((Answer::FirstRun { rows, facts }, missing)) => (rows, read::<Facts>(&facts)?, missing),
-        Err(error) | Ok((Answer::Failed(error), _)) if launcher.is_sandboxed() => return Err(maybe_denied(error)),
-        Err(error) | Ok((Answer::Failed(error), _)) => return Err(error),
+        Ok((WorkerReply::FirstRun { rows, facts }, missing)) => (rows, read::<Facts>(&facts)?, missing),
+        Err(error) | Ok((WorkerReply::Failed(error), _)) if launcher.is_sandboxed() => return Err(maybe_denied(error)),
+        Err(error) | Ok((WorkerReply::Failed(error), _)) => return Err(error),
         Ok((answer, _)) => return Err(unexpected(answer)),
     };
     let launcher = launcher.clone().with_event_mode(facts.event_mode.clone());
@@ -167,8 +167,8 @@ pub fn examine(launcher: &Launcher, steps: usize, skip: &[Stage]) -> Result<Exam
         reference.clear();
     }
     let tried = |stage: Stage| match in_a_process(&launcher, steps, stage, &reference) {
-        Ok((Answer::Tested(found), _)) => read(&found),
-        Ok((Answer::Failed(error), _)) => Ok(Found::failed(stage, error)),
+        Ok((WorkerReply::Tested(found), _)) => read(&found),
+        Ok((WorkerReply::Failed(error), _)) => Ok(Found::failed(stage, error)),
         Ok((answer, _)) => Err(unexpected(answer)),
         Err(error) if error.lost => Ok(Found::failed(stage, error)),
         Err(error) => Err(error),

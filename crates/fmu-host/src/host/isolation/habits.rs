@@ -9,7 +9,7 @@ use std::path::PathBuf;
 use serde::{Deserialize, Serialize};
 
 use super::launch::Launcher;
-use super::message::{Answer, Question, Saving};
+use super::message::{Saving, WorkerReply, WorkerRequest};
 use crate::host::plant::{PlantError, insist};
 use crate::host::rounding;
 
@@ -118,9 +118,11 @@ pub fn habits(launcher: &Launcher, steps: usize, once: bool, saves: bool) -> Res
         let (_, before) = launcher.printed();
         let mut worker = launcher.start(false)?;
         let mut runs = |runs: usize| -> Result<(Vec<Habit>, u64), PlantError> {
-            let found = match worker.ask(&Question::Habits { steps, runs }, &launcher.limits)? {
-                Answer::Habits(found) => serde_json::from_str(&found).map_err(|e| PlantError::of(e.to_string()))?,
-                Answer::Failed(error) => return Err(error),
+            let found = match worker.ask(&WorkerRequest::Habits { steps, runs }, &launcher.limits)? {
+                WorkerReply::Habits(found) => {
+                    serde_json::from_str(&found).map_err(|e| PlantError::of(e.to_string()))?
+                }
+                WorkerReply::Failed(error) => return Err(error),
                 _ => return Err(PlantError::of("a worker gave an unexpected answer")),
             };
             Ok((found, worker.resident()))
@@ -138,11 +140,11 @@ pub fn habits(launcher: &Launcher, steps: usize, once: bool, saves: bool) -> Res
         let mut saved_and_freed = |times: u32| -> Result<Option<u64>, PlantError> {
             let number = 0;
             for _ in 0..times {
-                let saved = worker.ask(&Question::Save { number, how: Saving::ByFmu }, &launcher.limits)?;
-                if !matches!(saved, Answer::Done) {
+                let saved = worker.ask(&WorkerRequest::Save { number, how: Saving::ByFmu }, &launcher.limits)?;
+                if !matches!(saved, WorkerReply::Done) {
                     return Ok(None);
                 }
-                worker.ask(&Question::Forget(vec![number]), &launcher.limits)?;
+                worker.ask(&WorkerRequest::Forget(vec![number]), &launcher.limits)?;
             }
             Ok(Some(worker.resident()))
         };
@@ -166,7 +168,7 @@ pub fn habits(launcher: &Launcher, steps: usize, once: bool, saves: bool) -> Res
 }
 
 /// A process before an FMU was loaded into it.
-pub(super) struct Before {
+pub(super) struct ProcessBaseline {
     folder: Option<PathBuf>,
     locale: String,
     handlers: Vec<usize>,
@@ -184,7 +186,7 @@ const SIGNALS: [(libc::c_int, &str); 9] = [
     (libc::SIGCHLD, "SIGCHLD"),
 ];
 
-impl Before {
+impl ProcessBaseline {
     /// This process, now.
     pub(super) fn now() -> Self {
         Self {

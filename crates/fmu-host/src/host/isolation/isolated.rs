@@ -5,13 +5,15 @@ use std::sync::{Arc, Mutex, PoisonError};
 use std::time::Duration;
 
 use super::launch::{Launcher, Worker};
-use super::message::{self, Answer, Question, Saving};
-use crate::host::plant::{Arrived, Begins, Fingerprint, Leg, Plant, PlantError, Stepped, Taken, Then, one_by_one};
+use super::message::{self, Saving, WorkerReply, WorkerRequest};
+use crate::host::plant::{
+    Arrived, Fingerprint, Leg, LegStart, Plant, PlantError, StateCopy, Stepped, Then, one_by_one,
+};
 use crate::stop::Stop;
 
 /// How states are brought back.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Keeping {
+pub enum WorkerRestore {
     /// The FMU saves them.
     ByFmu,
     /// Copies of the process.
@@ -32,7 +34,7 @@ const LOOK_AFTER: u32 = 64;
 /// A plant in a worker process.
 pub struct Isolated {
     launcher: Launcher,
-    keeping: Keeping,
+    keeping: WorkerRestore,
     worker: Option<Worker>,
     /// Raised whenever saved states are lost: with a worker, and with an instance that saved them.
     generation: u64,
@@ -88,7 +90,7 @@ impl Numbers {
 impl Isolated {
     /// A plant whose workers come from `launcher`; nothing is started yet.
     #[must_use]
-    pub fn new(launcher: Launcher, keeping: Keeping) -> Self {
+    pub fn new(launcher: Launcher, keeping: WorkerRestore) -> Self {
         Self {
             launcher,
             keeping,
@@ -124,9 +126,9 @@ impl Isolated {
 
     fn saving(&self) -> Option<Saving> {
         match self.keeping {
-            Keeping::ByFmu => Some(Saving::ByFmu),
-            Keeping::ByFork => Some(Saving::ByFork),
-            Keeping::Instances | Keeping::Processes => None,
+            WorkerRestore::ByFmu => Some(Saving::ByFmu),
+            WorkerRestore::ByFork => Some(Saving::ByFork),
+            WorkerRestore::Instances | WorkerRestore::Processes => None,
         }
     }
 
@@ -144,19 +146,20 @@ impl Isolated {
         self.lose();
     }
 
-    fn ask(&mut self, question: &Question) -> Result<Answer, PlantError> {
-        if let (false, Some(number)) =
-            (matches!(question, Question::Advance { .. } | Question::Legs { .. } | Question::Forget(_)), self.put_off)
-        {
+    fn ask(&mut self, question: &WorkerRequest) -> Result<WorkerReply, PlantError> {
+        if let (false, Some(number)) = (
+            matches!(question, WorkerRequest::Advance { .. } | WorkerRequest::Legs { .. } | WorkerRequest::Forget(_)),
+            self.put_off,
+        ) {
             self.put_off = None;
-            self.ask(&Question::Restore { number, how: Saving::ByFmu })?;
+            self.ask(&WorkerRequest::Restore { number, how: Saving::ByFmu })?;
         }
         let worker = match &mut self.worker {
             Some(worker) => worker,
-            none => none.insert(self.launcher.start(self.keeping == Keeping::ByFork)?),
+            none => none.insert(self.launcher.start(self.keeping == WorkerRestore::ByFork)?),
         };
         match worker.ask(question, &self.launcher.limits) {
-            Ok(Answer::Failed(error)) => Err(self.failed(error)),
+            Ok(WorkerReply::Failed(error)) => Err(self.failed(error)),
             Ok(answer) => Ok(answer),
             Err(error) => {
                 self.replaced += u64::from(!error.stopped);
@@ -210,7 +213,7 @@ impl Isolated {
         if let (true, Some(worker)) = (forked, &self.worker) {
             numbers.iter().for_each(|slot| worker.forget_parked(*slot));
         } else {
-            self.ask(&Question::Forget(numbers.clone()))?;
+            self.ask(&WorkerRequest::Forget(numbers.clone()))?;
         }
         let mut free = self.free.lock().unwrap_or_else(PoisonError::into_inner);
         if forked {
@@ -263,8 +266,8 @@ impl Isolated {
         let before = all.len();
         all.extend(to.iter().map(|number| (Vec::new(), self.checkpoint(*number))));
         let from = |leg: &Leg<'_, Checkpoint>| match leg.from {
-            Begins::At(saved) => saved.number,
-            Begins::After(number) => all[number].1.number,
+            LegStart::At(saved) => saved.number,
+            LegStart::After(number) => all[number].1.number,
         };
         let told = legs.iter().zip(&to);
         let legs = told
@@ -276,8 +279,8 @@ impl Isolated {
         let read: Vec<usize> = legs.iter().map(|leg| leg.reads.rows(leg.steps)).collect();
         let steps: usize = legs.iter().map(|leg| leg.steps).sum();
         let count = read.iter().sum();
-        let rows = match self.ask(&Question::Legs { legs, forget }) {
-            Ok(Answer::Rows(rows)) if self.are_rows(&rows, count) => rows,
+        let rows = match self.ask(&WorkerRequest::Legs { legs, forget }) {
+            Ok(WorkerReply::Rows(rows)) if self.are_rows(&rows, count) => rows,
             Ok(_) => return Err(self.unexpected()),
             Err(error) => {
                 self.one_by_one |= error.lost || error.restoring;
@@ -308,19 +311,19 @@ impl Isolated {
         steps: usize,
         inputs: &[f64],
         then: message::Then,
-    ) -> Result<(Vec<f64>, Result<message::Taken, PlantError>), PlantError> {
+    ) -> Result<(Vec<f64>, Result<message::StateCopyReply, PlantError>), PlantError> {
         let (width, rows) = (self.input_count().max(1), self.output_count().max(1));
         // Long runs go in parts that fit into a message.
         let part = (super::channel::AREA / 32 / width.max(rows)).max(1);
-        let (mut trace, mut taken) = (Vec::with_capacity(steps * rows), Ok(message::Taken::Nothing));
+        let (mut trace, mut taken) = (Vec::with_capacity(steps * rows), Ok(message::StateCopyReply::Nothing));
         let mut done = 0;
         while done < steps {
             let now = part.min(steps - done);
             let from = self.put_off.take();
             let inputs = inputs[done * self.input_count()..(done + now) * self.input_count()].to_vec();
             let then = if done + now == steps { then } else { message::Then::Nothing };
-            match self.ask(&Question::Advance { from, steps: now, inputs, then })? {
-                Answer::Stepped { rows, taken: after } if self.are_rows(&rows, now) => {
+            match self.ask(&WorkerRequest::Advance { from, steps: now, inputs, then })? {
+                WorkerReply::Stepped { rows, taken: after } if self.are_rows(&rows, now) => {
                     trace.extend(rows);
                     taken = after;
                 }
@@ -346,16 +349,16 @@ impl Plant for Isolated {
 
     fn restart(&mut self) -> Result<Vec<f64>, PlantError> {
         // Whoever needs copies may be one who runs once in a process; others begin anew so rarely that it costs nothing.
-        if self.is_worn() || matches!(self.keeping, Keeping::Processes | Keeping::ByFork) {
+        if self.is_worn() || matches!(self.keeping, WorkerRestore::Processes | WorkerRestore::ByFork) {
             self.end();
         }
-        if self.keeping == Keeping::ByFmu {
+        if self.keeping == WorkerRestore::ByFmu {
             // They belong to the instance that ends here.
             self.lose();
         }
         self.put_off = None;
-        match self.ask(&Question::Restart)? {
-            Answer::Rows(rows) if self.are_rows(&rows, 1) => Ok(rows),
+        match self.ask(&WorkerRequest::Restart)? {
+            WorkerReply::Rows(rows) if self.are_rows(&rows, 1) => Ok(rows),
             _ => Err(self.unexpected()),
         }
     }
@@ -369,8 +372,8 @@ impl Plant for Isolated {
         if then != Then::Nothing && !together {
             let rows = self.advance(steps, inputs)?;
             let taken = match then {
-                Then::Save => self.save().map(Taken::Saved),
-                _ => self.fingerprint().map(Taken::Fingerprint),
+                Then::Save => self.save().map(StateCopy::Saved),
+                _ => self.fingerprint().map(StateCopy::Fingerprint),
             };
             return Ok((rows, taken));
         }
@@ -380,10 +383,12 @@ impl Plant for Isolated {
         self.one_by_one |= stepped.as_ref().is_err_and(|error| (several && error.lost) || error.restoring);
         let (then, (rows, taken)) = stepped?;
         let taken = match (then, taken) {
-            (message::Then::Nothing, Ok(message::Taken::Nothing)) => Ok(Taken::Nothing),
-            (message::Then::Fingerprint, Ok(message::Taken::Fingerprint(print))) => Ok(Taken::Fingerprint(print)),
-            (message::Then::Save { number, .. }, Ok(message::Taken::Saved)) => {
-                Ok(Taken::Saved(self.checkpoint(number)))
+            (message::Then::Nothing, Ok(message::StateCopyReply::Nothing)) => Ok(StateCopy::Nothing),
+            (message::Then::Fingerprint, Ok(message::StateCopyReply::Fingerprint(print))) => {
+                Ok(StateCopy::Fingerprint(print))
+            }
+            (message::Then::Save { number, .. }, Ok(message::StateCopyReply::Saved)) => {
+                Ok(StateCopy::Saved(self.checkpoint(number)))
             }
             (_, Err(error)) => Err(self.failed(error)),
             _ => Err(self.unexpected()),
@@ -393,13 +398,13 @@ impl Plant for Isolated {
 
     fn advance_each(&mut self, legs: &[Leg<'_, Checkpoint>]) -> Result<Vec<Arrived<Checkpoint>>, PlantError> {
         let mut all = Vec::with_capacity(legs.len());
-        if self.keeping != Keeping::ByFmu || self.one_by_one || self.ended_by_us > 0 {
+        if self.keeping != WorkerRestore::ByFmu || self.one_by_one || self.ended_by_us > 0 {
             one_by_one(self, legs, &mut all)?;
             return Ok(all);
         }
         let held = |leg: &Leg<'_, Checkpoint>| match leg.from {
-            Begins::At(saved) => self.holds(saved),
-            Begins::After(_) => true,
+            LegStart::At(saved) => self.holds(saved),
+            LegStart::After(_) => true,
         };
         if self.is_worn() || !legs.iter().all(held) {
             self.end();
@@ -430,15 +435,15 @@ impl Plant for Isolated {
     fn save(&mut self) -> Result<Checkpoint, PlantError> {
         let how = self.saving().ok_or_else(|| PlantError::of("this plant keeps no states"))?;
         let number = self.number()?;
-        match self.ask(&Question::Save { number, how })? {
-            Answer::Done => Ok(self.checkpoint(number)),
+        match self.ask(&WorkerRequest::Save { number, how })? {
+            WorkerReply::Done => Ok(self.checkpoint(number)),
             _ => Err(self.unexpected()),
         }
     }
 
     fn fingerprint(&mut self) -> Result<Option<Fingerprint>, PlantError> {
-        match self.ask(&Question::Fingerprint)? {
-            Answer::Print(print) => Ok(print),
+        match self.ask(&WorkerRequest::Fingerprint)? {
+            WorkerReply::Print(print) => Ok(print),
             _ => Err(self.unexpected()),
         }
     }
@@ -452,8 +457,8 @@ impl Plant for Isolated {
                 ..PlantError::of("the FMU's process has had its time and is replaced")
             });
         }
-        match self.ask(&Question::Restore { number: checkpoint.number, how })? {
-            Answer::Done => Ok(()),
+        match self.ask(&WorkerRequest::Restore { number: checkpoint.number, how })? {
+            WorkerReply::Done => Ok(()),
             _ => Err(self.unexpected()),
         }
     }
@@ -461,7 +466,7 @@ impl Plant for Isolated {
     fn restore_soon(&mut self, checkpoint: &Checkpoint) -> Result<(), PlantError> {
         self.restored += 1;
         // Whoever gave no answer once may do so in restoring, which is no fault of the steps.
-        let apart = self.one_by_one || self.ended_by_us > 0 || self.keeping != Keeping::ByFmu;
+        let apart = self.one_by_one || self.ended_by_us > 0 || self.keeping != WorkerRestore::ByFmu;
         if apart || self.restored >= LOOK_AFTER || !self.holds(checkpoint) {
             self.restored = 0;
             return self.restore(checkpoint);

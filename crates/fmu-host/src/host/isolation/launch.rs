@@ -11,10 +11,10 @@ use std::sync::{Arc, Mutex};
 use std::time::{Duration, Instant};
 
 use super::channel::{Channel, GO, GONE};
-use super::message::{Answer, Load, Question, Unpacked};
+use super::message::{Load, Unpacked, WorkerReply, WorkerRequest};
 use super::near::{Near, Stay};
-use super::printed::{LastWords, Printed, Said, lock};
-use super::process::{self, Ended};
+use super::printed::{LastLines, Printed, PrintedLog, lock};
+use super::process::{self, ProcessEnd};
 use super::sandbox::Rules;
 use crate::fmi::temporary::Folder;
 use crate::host::activity::{Call, Doing};
@@ -68,7 +68,7 @@ pub struct Launcher {
     pub(super) limits: Limits,
     /// The program to start.
     program: PathBuf,
-    said: Arc<Mutex<Said>>,
+    said: Arc<Mutex<PrintedLog>>,
 }
 
 impl Launcher {
@@ -113,7 +113,7 @@ impl Launcher {
 
     /// What was printed before the first few failures.
     #[must_use]
-    pub fn before_failures(&self) -> Vec<LastWords> {
+    pub fn before_failures(&self) -> Vec<LastLines> {
         lock(&self.said).before_failures()
     }
 
@@ -137,13 +137,13 @@ impl Launcher {
         let mut load = (*self.load).clone();
         let own = worker.folder.path().to_owned();
         load.sandbox = (self.guard == Guard::Sandboxed).then(|| Rules { read: folders(&load), write: vec![own], fork });
-        match worker.ask(&Question::Load(Box::new(load)), &self.limits)? {
-            Answer::Loaded { missing } => {
+        match worker.ask(&WorkerRequest::Load(Box::new(load)), &self.limits)? {
+            WorkerReply::Loaded { missing } => {
                 worker.missing = missing;
                 worker.resident_at_start = worker.resident();
                 Ok(worker)
             }
-            Answer::NotLoaded { message, running } => {
+            WorkerReply::NotLoaded { message, running } => {
                 let error = PlantError { message, fatal: true, not_loaded: !running, ..PlantError::default() };
                 Err(worker.with_last_words(error).at(0.0))
             }
@@ -159,7 +159,7 @@ pub(super) struct Worker {
     /// Closing it kills the worker's process group.
     life: Option<ChildStdin>,
     printed: Option<Printed>,
-    said: Arc<Mutex<Said>>,
+    said: Arc<Mutex<PrintedLog>>,
     /// Working directory of the FMUs, and the only place where they may write.
     folder: Folder,
     /// What of the sandbox this machine lacks.
@@ -219,7 +219,7 @@ impl Worker {
     ///
     /// # Errors
     /// When the FMU ended or blocked the process, or took too much memory: this worker is of no use any more.
-    pub(super) fn ask(&mut self, question: &Question, limits: &Limits) -> Result<Answer, PlantError> {
+    pub(super) fn ask(&mut self, question: &WorkerRequest, limits: &Limits) -> Result<WorkerReply, PlantError> {
         if limits.stop.is_due() {
             return Err(PlantError::stopped());
         }
@@ -228,7 +228,7 @@ impl Worker {
             return Err(PlantError::of("a message to the worker is too long: this is an error of this program"));
         }
         // Threads begin with an instance, and would inherit its place: not before its first action.
-        if let (Question::Advance { .. } | Question::Legs { .. }, Some(alive)) = (question, self.alive()) {
+        if let (WorkerRequest::Advance { .. } | WorkerRequest::Legs { .. }, Some(alive)) = (question, self.alive()) {
             self.near.follow(alive);
         }
         let number = self.channel.ask(&bytes);
@@ -236,19 +236,19 @@ impl Worker {
         let (mut stamp, mut since) = (0, Instant::now());
         let mut over = false;
         loop {
-            let rung = self.channel.rung();
+            let rung = self.channel.times_rung();
             if let Some(answer) = self.channel.answer_to(number) {
                 return postcard::from_bytes(&answer)
                     .map_err(|_| self.gone("overwrote the memory in which it answers".to_owned(), true));
             }
-            if let Some(ended) = Ended::of(self.channel.head().death.load(Ordering::Acquire)) {
+            if let Some(ended) = ProcessEnd::of(self.channel.head().death.load(Ordering::Acquire)) {
                 return Err(self.gone(format!("ended its process ({ended})"), false));
             }
             if over {
                 return Err(self.gone("ended its process".to_owned(), false));
             }
             self.channel.sleep(rung, LOOK);
-            if self.channel.rung() != rung {
+            if self.channel.times_rung() != rung {
                 continue;
             }
             if limits.stop.is_due() {

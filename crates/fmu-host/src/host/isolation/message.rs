@@ -11,7 +11,7 @@ use crate::host::system::SystemSetup;
 
 /// What is asked of a worker.
 #[derive(Debug, Serialize, Deserialize)]
-pub(super) enum Question {
+pub(super) enum WorkerRequest {
     /// Load these FMUs. The first question.
     Load(Box<Load>),
     /// A stage of [`crate::host::selftest::selftest`] against the first run, which this process makes itself if it is not
@@ -62,9 +62,9 @@ pub(super) struct Leg {
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
 pub(super) enum Then {
     Nothing,
-    /// See [`Question::Fingerprint`].
+    /// See [`WorkerRequest::Fingerprint`].
     Fingerprint,
-    /// See [`Question::Save`].
+    /// See [`WorkerRequest::Save`].
     Save {
         number: u32,
         how: Saving,
@@ -112,7 +112,7 @@ pub(super) struct Load {
 
 /// What a worker answers.
 #[derive(Debug, Serialize, Deserialize)]
-pub(super) enum Answer {
+pub(super) enum WorkerReply {
     /// Done.
     Done,
     /// The FMUs are loaded; what of the sandbox this system lacks.
@@ -125,7 +125,7 @@ pub(super) enum Answer {
     Stepped {
         #[serde(with = "numbers")]
         rows: Vec<f64>,
-        taken: Result<Taken, PlantError>,
+        taken: Result<StateCopyReply, PlantError>,
     },
     /// The first run of the self-test, and what else it told, as JSON.
     FirstRun {
@@ -135,9 +135,9 @@ pub(super) enum Answer {
     },
     /// What a later stage of the self-test found, as JSON.
     Tested(String),
-    /// See [`Question::Fingerprint`].
+    /// See [`WorkerRequest::Fingerprint`].
     Print(Option<Fingerprint>),
-    /// See [`Question::Habits`]; as JSON.
+    /// See [`WorkerRequest::Habits`]; as JSON.
     Habits(String),
     /// The FMU failed.
     Failed(PlantError),
@@ -145,7 +145,7 @@ pub(super) enum Answer {
 
 /// What was taken after an action.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
-pub(super) enum Taken {
+pub(super) enum StateCopyReply {
     Nothing,
     Fingerprint(Option<Fingerprint>),
     Saved,
@@ -177,12 +177,12 @@ mod tests {
     #[test]
     fn numbers_keep_every_bit_and_parts_of_numbers_are_refused() {
         let rows = vec![0.0, -0.0, 1.0 / 3.0, f64::MIN_POSITIVE / 8.0, f64::INFINITY, -f64::NAN];
-        let bytes = postcard::to_stdvec(&Answer::Rows(rows.clone())).unwrap();
-        let Ok(Answer::Rows(back)) = postcard::from_bytes(&bytes) else { panic!("not rows") };
+        let bytes = postcard::to_stdvec(&WorkerReply::Rows(rows.clone())).unwrap();
+        let Ok(WorkerReply::Rows(back)) = postcard::from_bytes(&bytes) else { panic!("not rows") };
         assert!(back.len() == rows.len() && back.iter().zip(&rows).all(|(a, b)| a.to_bits() == b.to_bits()));
         // Number of the kind, number of bytes, bytes.
         assert_eq!(usize::from(bytes[1]), bytes.len() - 2);
         let cut = [&[bytes[0], bytes[1] - 1], &bytes[2..bytes.len() - 1]].concat();
-        assert!(postcard::from_bytes::<Answer>(&cut).is_err());
+        assert!(postcard::from_bytes::<WorkerReply>(&cut).is_err());
     }
 }

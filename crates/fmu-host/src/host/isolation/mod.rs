@@ -26,8 +26,8 @@ mod worker;
 
 pub use examine::{Examination, affordable, examine};
 pub use habits::{Habit, habits};
-pub use isolated::{Checkpoint, Isolated, Keeping};
+pub use isolated::{Checkpoint, Isolated, WorkerRestore};
 pub use launch::{Guard, Launcher, Limits};
 pub use message::Unpacked;
-pub use printed::LastWords;
+pub use printed::LastLines;
 pub use worker::serve;

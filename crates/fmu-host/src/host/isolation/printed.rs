@@ -28,22 +28,22 @@ const WAIT: Duration = Duration::from_millis(200);
 
 /// What all processes of some FMUs printed, as far as it is kept.
 #[derive(Debug, Default)]
-pub(super) struct Said {
+pub(super) struct PrintedLog {
     text: Vec<u8>,
     bytes: u64,
-    before_failures: Vec<LastWords>,
+    before_failures: Vec<LastLines>,
 }
 
 /// What an FMU printed shortly before it failed. Not part of a result: it depends on what its process did before.
 #[derive(Clone, Debug, PartialEq, Eq, serde::Serialize)]
-pub struct LastWords {
+pub struct LastLines {
     /// What happened.
     pub failure: String,
     /// The last lines.
     pub printed: Vec<String>,
 }
 
-impl Said {
+impl PrintedLog {
     /// The beginning of it as text, and how many bytes there were.
     pub(super) fn beginning(&self) -> (String, u64) {
         let mut text = String::from_utf8_lossy(&self.text).into_owned();
@@ -56,11 +56,11 @@ impl Said {
     pub(super) fn keep(&mut self, failure: &str, printed: &[String]) {
         let known = self.before_failures.iter().any(|one| one.failure == failure);
         if !known && !printed.is_empty() && self.before_failures.len() < FAILURES {
-            self.before_failures.push(LastWords { failure: failure.to_owned(), printed: printed.to_vec() });
+            self.before_failures.push(LastLines { failure: failure.to_owned(), printed: printed.to_vec() });
         }
     }
 
-    pub(super) fn before_failures(&self) -> Vec<LastWords> {
+    pub(super) fn before_failures(&self) -> Vec<LastLines> {
         self.before_failures.clone()
     }
 }
@@ -80,7 +80,7 @@ pub(super) fn lock<T>(mutex: &Mutex<T>) -> MutexGuard<'_, T> {
 
 impl Printed {
     /// Of the worker that writes to the other end of `pipe`; everything goes to `said` as well.
-    pub(super) fn collect(pipe: OwnedFd, said: Arc<Mutex<Said>>) -> io::Result<Self> {
+    pub(super) fn collect(pipe: OwnedFd, said: Arc<Mutex<PrintedLog>>) -> io::Result<Self> {
         let last: Arc<Mutex<VecDeque<u8>>> = Arc::default();
         let (reader, tail) = (File::from(pipe.try_clone()?), Arc::clone(&last));
         let thread =
@@ -116,7 +116,7 @@ impl Printed {
     }
 }
 
-fn read(mut pipe: File, said: &Mutex<Said>, last: &Mutex<VecDeque<u8>>) {
+fn read(mut pipe: File, said: &Mutex<PrintedLog>, last: &Mutex<VecDeque<u8>>) {
     let mut part = vec![0; 64 << 10];
     loop {
         // Waited for outside of the lock: whoever has it and finds the pipe empty has everything.
@@ -150,7 +150,7 @@ mod tests {
     fn the_last_lines_are_all_there_once_the_writer_is_gone() {
         for _ in 0..20 {
             let (reader, writer) = rustix::pipe::pipe().unwrap();
-            let said: Arc<Mutex<Said>> = Arc::default();
+            let said: Arc<Mutex<PrintedLog>> = Arc::default();
             let mut printed = Printed::collect(reader, Arc::clone(&said)).unwrap();
             let mut writer = File::from(writer);
             for line in 0..5000 {

@@ -10,14 +10,14 @@ use std::{fmt, io};
 
 /// How a process ended.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) enum Ended {
+pub(super) enum ProcessEnd {
     /// It left by itself, with this exit code.
     Exit(u8),
     /// This signal ended it.
     Signal(u8),
 }
 
-impl Ended {
+impl ProcessEnd {
     /// As a number that is never 0.
     pub(super) fn code(self) -> u32 {
         match self {
@@ -26,7 +26,7 @@ impl Ended {
         }
     }
 
-    /// Back from [`Ended::code`]; nothing for 0.
+    /// Back from [`ProcessEnd::code`]; nothing for 0.
     pub(super) fn of(code: u32) -> Option<Self> {
         let low = u8::try_from(code & 0xff).unwrap_or(0);
         match code >> 8 {
@@ -37,7 +37,7 @@ impl Ended {
     }
 }
 
-impl fmt::Display for Ended {
+impl fmt::Display for ProcessEnd {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let (number, name) = match *self {
             Self::Exit(code) => return write!(f, "exit code {code}"),
@@ -84,7 +84,7 @@ pub(super) fn leave(code: i32) -> ! {
 }
 
 /// Waits until a child ends; nothing if there are none.
-pub(super) fn wait_for_any_child() -> Option<(i32, Ended)> {
+pub(super) fn wait_for_any_child() -> Option<(i32, ProcessEnd)> {
     loop {
         let mut status = 0;
         // SAFETY: `status` is a valid place for a number.
@@ -96,10 +96,10 @@ pub(super) fn wait_for_any_child() -> Option<(i32, Ended)> {
             return None;
         }
         if libc::WIFEXITED(status) {
-            return Some((child, Ended::Exit(u8::try_from(libc::WEXITSTATUS(status)).unwrap_or(u8::MAX))));
+            return Some((child, ProcessEnd::Exit(u8::try_from(libc::WEXITSTATUS(status)).unwrap_or(u8::MAX))));
         }
         if libc::WIFSIGNALED(status) {
-            return Some((child, Ended::Signal(u8::try_from(libc::WTERMSIG(status)).unwrap_or(u8::MAX))));
+            return Some((child, ProcessEnd::Signal(u8::try_from(libc::WTERMSIG(status)).unwrap_or(u8::MAX))));
         }
     }
 }

@@ -13,9 +13,9 @@ use std::sync::atomic::{AtomicU32, Ordering};
 use rustix::thread::futex;
 
 use super::channel::{Channel, GONE, LIVE, PARKED};
-use super::habits::Before;
-use super::message::{Answer, Leg, Load, Question, Saving, Taken, Then};
-use super::process::{self, Ended, Fork};
+use super::habits::ProcessBaseline;
+use super::message::{Leg, Load, Saving, StateCopyReply, Then, WorkerReply, WorkerRequest};
+use super::process::{self, Fork, ProcessEnd};
 use super::sandbox;
 use crate::fmi::{self, Fmu, Slave};
 use crate::host::activity::{Activity, Call};
@@ -76,7 +76,7 @@ fn keep(channel: &Channel, first: i32) {
             return;
         }
     }
-    head.death.store(Ended::Exit(0).code(), Ordering::Release);
+    head.death.store(ProcessEnd::Exit(0).code(), Ordering::Release);
     channel.ring();
 }
 
@@ -115,7 +115,7 @@ fn speak_at_once() {
 /// The live process: answers questions until it is killed.
 fn live(channel: &'static Channel) -> ! {
     speak_at_once();
-    let before = Before::now();
+    let before = ProcessBaseline::now();
     let mut server =
         Server { channel, before, activity: Activity::new(&channel.head().activity), hosted: None, last: 0 };
     loop {
@@ -123,7 +123,7 @@ fn live(channel: &'static Channel) -> ! {
         server.last = number;
         let answer = match postcard::from_bytes(&question) {
             Ok(question) => server.answer(question),
-            Err(error) => Answer::NotLoaded { message: format!("not understood: {error}"), running: false },
+            Err(error) => WorkerReply::NotLoaded { message: format!("not understood: {error}"), running: false },
         };
         server.activity.end();
         let bytes = postcard::to_stdvec(&answer).unwrap_or_default();
@@ -183,7 +183,7 @@ enum Side {
 
 struct Server {
     channel: &'static Channel,
-    before: Before,
+    before: ProcessBaseline,
     activity: Activity,
     hosted: Option<Hosted>,
     /// Number of the question that is being answered.
@@ -191,65 +191,67 @@ struct Server {
 }
 
 impl Server {
-    fn answer(&mut self, question: Question) -> Answer {
-        if let Question::Load(load) = question {
+    fn answer(&mut self, question: WorkerRequest) -> WorkerReply {
+        if let WorkerRequest::Load(load) = question {
             return self.load(*load);
         }
         let Some(hosted) = &mut self.hosted else { return not_loaded("nothing is loaded".to_owned(), false) };
-        let rows = |result: Result<Vec<f64>, PlantError>| result.map_or_else(Answer::Failed, Answer::Rows);
+        let rows = |result: Result<Vec<f64>, PlantError>| result.map_or_else(WorkerReply::Failed, WorkerReply::Rows);
         match question {
-            Question::Load(_) => Answer::Done,
-            Question::Restart => {
+            WorkerRequest::Load(_) => WorkerReply::Done,
+            WorkerRequest::Restart => {
                 hosted.saved.clear();
                 rows(hosted.plant.restart())
             }
-            Question::Advance { from, steps, inputs, then } => {
+            WorkerRequest::Advance { from, steps, inputs, then } => {
                 match hosted.stepped(from, steps, &inputs, Reads::Each) {
                     Ok(rows) => {
                         let taken = match then {
-                            Then::Nothing => Ok(Taken::Nothing),
-                            Then::Fingerprint => hosted.plant.fingerprint().map(Taken::Fingerprint),
+                            Then::Nothing => Ok(StateCopyReply::Nothing),
+                            Then::Fingerprint => hosted.plant.fingerprint().map(StateCopyReply::Fingerprint),
                             Then::Save { number, how } => match self.save(number, how) {
-                                Ok(Side::Original) => Ok(Taken::Saved),
+                                Ok(Side::Original) => Ok(StateCopyReply::Saved),
                                 // Called to life by another question.
-                                Ok(Side::Copy) => return Answer::Done,
+                                Ok(Side::Copy) => return WorkerReply::Done,
                                 Err(error) => Err(error),
                             },
                         };
-                        Answer::Stepped { rows, taken }
+                        WorkerReply::Stepped { rows, taken }
                     }
-                    Err(error) => Answer::Failed(error),
+                    Err(error) => WorkerReply::Failed(error),
                 }
             }
-            Question::Legs { legs, forget } => {
+            WorkerRequest::Legs { legs, forget } => {
                 forget.iter().for_each(|number| {
                     hosted.saved.remove(number);
                 });
                 rows(hosted.legs(&legs))
             }
-            Question::Fingerprint => hosted.plant.fingerprint().map_or_else(Answer::Failed, Answer::Print),
-            Question::Save { number, how } => {
-                self.save(number, how).map_or_else(Answer::Failed, |(Side::Original | Side::Copy)| Answer::Done)
+            WorkerRequest::Fingerprint => {
+                hosted.plant.fingerprint().map_or_else(WorkerReply::Failed, WorkerReply::Print)
             }
-            Question::Restore { number, how: Saving::ByFork } => {
+            WorkerRequest::Save { number, how } => self
+                .save(number, how)
+                .map_or_else(WorkerReply::Failed, |(Side::Original | Side::Copy)| WorkerReply::Done),
+            WorkerRequest::Restore { number, how: Saving::ByFork } => {
                 let head = self.channel.head();
                 head.alive.store(0, Ordering::Release);
                 head.tell(number, LIVE);
                 process::leave(0)
             }
-            Question::Restore { number, how: Saving::ByFmu } => {
-                hosted.restore(number).map_or_else(Answer::Failed, |()| Answer::Done)
+            WorkerRequest::Restore { number, how: Saving::ByFmu } => {
+                hosted.restore(number).map_or_else(WorkerReply::Failed, |()| WorkerReply::Done)
             }
-            Question::Forget(numbers) => {
+            WorkerRequest::Forget(numbers) => {
                 hosted.saved.retain(|number, _| !numbers.contains(number));
-                Answer::Done
+                WorkerReply::Done
             }
-            Question::Habits { steps, runs } => self.habits(steps, runs),
-            Question::SelfTest { steps, stage, reference } => self.test(steps, stage, reference),
+            WorkerRequest::Habits { steps, runs } => self.habits(steps, runs),
+            WorkerRequest::SelfTest { steps, stage, reference } => self.test(steps, stage, reference),
         }
     }
 
-    fn load(&mut self, load: Load) -> Answer {
+    fn load(&mut self, load: Load) -> WorkerReply {
         // Initialisers of a library run while it is loaded, so the sandbox comes first.
         let missing = match &load.sandbox {
             None => Vec::new(),
@@ -271,37 +273,37 @@ impl Server {
         match self.system(&slaves, &load) {
             Ok(plant) => {
                 self.hosted = Some(Hosted { load, slaves, plant, saved: BTreeMap::new() });
-                Answer::Loaded { missing }
+                WorkerReply::Loaded { missing }
             }
             Err(answer) => answer,
         }
     }
 
-    fn system(&self, slaves: &[Slave], load: &Load) -> Result<System, Answer> {
+    fn system(&self, slaves: &[Slave], load: &Load) -> Result<System, WorkerReply> {
         let built = System::new(slaves, load.setup.clone());
         built.map(|system| system.watched(self.activity)).map_err(|e| not_loaded(e.to_string(), false))
     }
 
-    fn habits(&mut self, steps: usize, runs: usize) -> Answer {
-        let Some(hosted) = &mut self.hosted else { return Answer::Done };
+    fn habits(&mut self, steps: usize, runs: usize) -> WorkerReply {
+        let Some(hosted) = &mut self.hosted else { return WorkerReply::Done };
         let setup = &hosted.load.setup;
         let inputs = moving(setup, steps, 0);
         for _ in 0..runs {
             let run = hosted.plant.restart().and_then(|_| hosted.plant.advance(steps, &inputs));
             if let Err(error) = run {
-                return Answer::Failed(error);
+                return WorkerReply::Failed(error);
             }
         }
-        Answer::Habits(serde_json::to_string(&self.before.since()).unwrap_or_default())
+        WorkerReply::Habits(serde_json::to_string(&self.before.since()).unwrap_or_default())
     }
 
-    fn test(&mut self, steps: usize, stage: Stage, reference: Vec<f64>) -> Answer {
-        let Some(hosted) = &self.hosted else { return Answer::Done };
+    fn test(&mut self, steps: usize, stage: Stage, reference: Vec<f64>) -> WorkerReply {
+        let Some(hosted) = &self.hosted else { return WorkerReply::Done };
         let (slaves, setup) = (&hosted.slaves, &hosted.load.setup);
         let reference = match reference.is_empty() {
             true => match selftest::reference(slaves, setup, steps, self.activity) {
                 Ok(rows) => rows,
-                Err(error) => return Answer::Failed(error),
+                Err(error) => return WorkerReply::Failed(error),
             },
             false => reference,
         };
@@ -309,10 +311,10 @@ impl Server {
             // Of a run that is too long for a message the beginning is told.
             let rows = reference.into_iter().take(super::examine::KEPT).collect();
             let facts = serde_json::to_string(&Facts::of(slaves, setup)).unwrap_or_default();
-            return Answer::FirstRun { rows, facts };
+            return WorkerReply::FirstRun { rows, facts };
         }
         let found = selftest::stage(slaves, setup, steps, stage, &reference, self.activity);
-        Answer::Tested(serde_json::to_string(&found).unwrap_or_default())
+        WorkerReply::Tested(serde_json::to_string(&found).unwrap_or_default())
     }
 
     /// Keeps the present state under a number.
@@ -379,14 +381,14 @@ impl Server {
 
     /// Tells that nobody lives any more.
     fn cannot_live(&self) -> ! {
-        self.channel.head().death.store(Ended::Exit(CANNOT_BEGIN).code(), Ordering::Release);
+        self.channel.head().death.store(ProcessEnd::Exit(CANNOT_BEGIN).code(), Ordering::Release);
         self.channel.ring();
         process::leave(i32::from(CANNOT_BEGIN))
     }
 }
 
-fn not_loaded(message: String, running: bool) -> Answer {
-    Answer::NotLoaded { message, running }
+fn not_loaded(message: String, running: bool) -> WorkerReply {
+    WorkerReply::NotLoaded { message, running }
 }
 
 #[cfg(test)]
@@ -419,13 +421,13 @@ mod tests {
         let fmu = Fmu::open(&written[0]).unwrap();
         let channel: &'static Channel = Box::leak(Box::new(Channel::create().unwrap().0));
         let activity = Activity::new(&channel.head().activity);
-        let mut server = Server { channel, before: Before::now(), activity, hosted: None, last: 0 };
+        let mut server = Server { channel, before: ProcessBaseline::now(), activity, hosted: None, last: 0 };
         let names = vec!["one".to_owned(), "two".to_owned()];
         let setup = SystemSetup { names, ..SystemSetup::default() };
         for (found, used) in [(None, [false; 2]), (Some(vec![true, false]), [true, false])] {
             let fmus = vec![Unpacked::of(&fmu); 2];
             let answer = server.load(Load { fmus, setup: setup.clone(), event_mode: found, sandbox: None });
-            assert!(matches!(answer, Answer::Loaded { .. }), "{answer:?}");
+            assert!(matches!(answer, WorkerReply::Loaded { .. }), "{answer:?}");
             let slaves = &server.hosted.as_ref().unwrap().slaves;
             assert_eq!(slaves.iter().map(Slave::prefers_event_mode).collect::<Vec<_>>(), used);
         }

@@ -103,7 +103,7 @@ fn with_halves(rows: &[f64], columns: &Columns) -> Vec<f64> {
 
 /// What a first run is compared with: the FMUs, their setup, the number of its steps and its inputs.
 #[derive(Clone, Copy)]
-pub(super) struct Run<'a> {
+pub(super) struct ReferenceRun<'a> {
     pub slaves: &'a [Slave],
     pub setup: &'a SystemSetup,
     pub steps: usize,
@@ -111,7 +111,7 @@ pub(super) struct Run<'a> {
     pub activity: Activity,
 }
 
-impl Run<'_> {
+impl ReferenceRun<'_> {
     /// The first run against the same inputs in half steps.
     pub(super) fn in_half_steps(&self, reference: &[f64]) -> Motion {
         if let Some(why) = against_half_steps(self.slaves, self.setup) {

@@ -62,20 +62,20 @@ pub struct ArmCells {
     low: Vec3,
     /// Largest cubes along x, y and z.
     count: [usize; 3],
-    known: [Known; 3],
+    known: [CubeMemo; 3],
     /// When it has to end: whatever is not known then may be.
     stop: Option<Stop>,
     /// It was due.
     over: AtomicBool,
     /// Of shoulders that hang from somewhere on these sides of barriers.
-    beside: Mutex<BTreeMap<Sides, Arc<Known>>>,
+    beside: Mutex<BTreeMap<Sides, Arc<CubeMemo>>>,
 }
 
 /// Numbers of barriers that no shoulder passes, and the side on which what it hangs from is.
 type Sides = Vec<(usize, bool)>;
 
 /// What is known of the cubes of one joint of the chain, of each largest cube by size.
-type Known = Vec<[OnceLock<Box<[AtomicU8]>>; HALVES_M.len()]>;
+type CubeMemo = Vec<[OnceLock<Box<[AtomicU8]>>; HALVES_M.len()]>;
 
 /// Of more cubes than this those are left out that are in spheres around long pieces and far from the pieces themselves.
 const MANY: usize = 100_000;
@@ -265,7 +265,7 @@ impl ArmCells {
         }
         let (to, by) = piece.solid.nearest_within(wrist.centre, &near, wrist.radius);
         let to = Region::ball(to, by);
-        !self.obstacles.iter().any(|(o, r)| self.is_in_the_way(o, *r, (wrist, &to), 0.0))
+        !self.obstacles.iter().any(|(o, r)| self.blocks(o, *r, (wrist, &to), 0.0))
             && !self.is_round_a_corner(wrist, &to)
     }
 
@@ -318,7 +318,7 @@ impl ArmCells {
         let open = |to: &Region| {
             let in_the_way = |o: &Cuboid, r: f64| {
                 if !is_upper {
-                    return self.is_in_the_way(o, r, (from, to), radius);
+                    return self.blocks(o, r, (from, to), radius);
                 }
                 // An upper arm may lean against a wall with its shoulder: there only its axis counts.
                 let part = ((radius + SHOULDER_CLEARANCE_M) / length).min(1.0);
@@ -326,7 +326,7 @@ impl ArmCells {
                     from.centre + (to.centre - from.centre) * part,
                     from.radius + (to.radius - from.radius) * part,
                 );
-                self.is_in_the_way(o, r, (from, to), 0.0) || self.is_in_the_way(o, r, (&clear, to), radius)
+                self.blocks(o, r, (from, to), 0.0) || self.blocks(o, r, (&clear, to), radius)
             };
             !obstacles.iter().any(|(o, r)| in_the_way(o, *r))
                 && !self.is_round_a_corner(from, to)
@@ -346,7 +346,7 @@ impl ArmCells {
     }
 
     /// Whether an obstacle is in the way of a limb wherever its ends are.
-    fn is_in_the_way(&self, o: &Cuboid, around: f64, (a, b): (&Region, &Region), radius: f64) -> bool {
+    fn blocks(&self, o: &Cuboid, around: f64, (a, b): (&Region, &Region), radius: f64) -> bool {
         let middle = (a.centre + b.centre) * 0.5;
         if (o.centre - middle).length() - around > 0.5 * (b.centre - a.centre).length() + radius
             || segment_cuboid_apart(a.centre, b.centre, o) > radius
@@ -409,7 +409,7 @@ impl ArmCells {
         })
     }
 
-    fn remembered(&self, known: &Known, cube: Cube, work: impl FnOnce(&Region) -> bool) -> bool {
+    fn remembered(&self, known: &CubeMemo, cube: Cube, work: impl FnOnce(&Region) -> bool) -> bool {
         let top = cube.at.map(|at| at >> cube.size);
         let top = (top[2] * self.count[1] + top[1]) * self.count[0] + top[0];
         let of_size = known[top][cube.size]
@@ -434,7 +434,7 @@ fn near(pieces: &[Piece], point: Vec3, far: f64) -> Vec<&Piece> {
 }
 
 /// Nothing yet, of so many largest cubes.
-fn nothing(count: [usize; 3]) -> Known {
+fn nothing(count: [usize; 3]) -> CubeMemo {
     std::iter::repeat_with(Default::default).take(count.iter().product()).collect()
 }
 

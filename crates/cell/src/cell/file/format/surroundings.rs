@@ -127,8 +127,8 @@ pub struct SensorTable {
     pub kind: SensorKind,
     /// Where it sees; not for `reported`.
     #[serde(default)]
-    #[schemars(with = "Option<ZoneTable>")]
-    pub zone: Option<Spanned<ZoneTable>>,
+    #[schemars(with = "Option<DetectionZoneTable>")]
+    pub zone: Option<Spanned<DetectionZoneTable>>,
     /// Mats and scanner fields: it counts only while an output of the FMU says so, such as one of several fields that the FMU switches
     /// between. Several sensors may drive one input: it is active when any of those that count sees somebody.
     #[serde(default)]
@@ -257,7 +257,7 @@ pub struct ControlTable {
 /// Where a sensor sees.
 #[derive(Debug, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
-pub struct ZoneTable {
+pub struct DetectionZoneTable {
     /// Mat, scanner field and post of a two-hand control: corners of a convex or concave polygon in the floor plane, m, in
     /// order.
     #[serde(default)]
