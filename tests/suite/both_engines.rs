@@ -5,7 +5,7 @@ use std::path::Path;
 use std::process::Command;
 
 /// What each engine says it in.
-const ENGINES: [&str; 2] = ["src/scan/from_start", "src/scan/anywhere"];
+const ENGINES: [&str; 2] = ["src/scan/from_start", "src/scan/reachability"];
 
 /// A file, and what stands behind a line of it then.
 const NEW: [(&str, &str, &str, &str); 7] = [

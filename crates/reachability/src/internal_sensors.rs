@@ -4,7 +4,7 @@
 //! all cells of the floor and at all edges of arcs of headings, for as many steps as its sensors take to tell. What differs at the
 //! corners of a cell differs somewhere in it, and both is possible in it; what is narrower than a cell everywhere may be missed.
 //! What the robots do then is asked with one such person for each thing that is reported; that it is the same with others, and that
-//! sensors report the same later, is tried out (`scan/anywhere/trials.rs`, `scan/anywhere/later.rs`): it rests on that.
+//! sensors report the same later, is tried out (`scan/reachability/trials.rs`, `scan/reachability/internal_sensors_later.rs`): it rests on that.
 
 use std::collections::BTreeMap;
 use std::f64::consts::TAU;

@@ -1,6 +1,6 @@
 //! What a search from a start does with every field of a cell: taken apart without `..`, so that a new field, key of a sensor, person
 //! or control, or kind of sensor does not compile before that is said here. The twin of this for people from anywhere is
-//! `scan/anywhere/fields.rs`.
+//! `scan/reachability/fields.rs`.
 
 use super::keys::keys;
 use crate::cell::file::format::SearchTable;
